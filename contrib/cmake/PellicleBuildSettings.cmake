@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Language standard, warnings, sanitizers and the compiler cache.
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug or Release" FORCE)
+endif()
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+option(PELLICLE_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
+option(PELLICLE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+
+add_library(pellicle_settings INTERFACE)
+target_compile_options(pellicle_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+                                                   $<$<BOOL:${PELLICLE_WARNINGS_AS_ERRORS}>:-Werror>)
+# -O3 and no errno for the point kernels; strict IEEE arithmetic otherwise (nan and inf are part of the user interface).
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG -fno-math-errno")
+set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g")
+if(PELLICLE_SANITIZE)
+  target_compile_options(pellicle_settings INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  target_link_options(pellicle_settings INTERFACE -fsanitize=address,undefined)
+endif()
+
+# Precompiled headers defeat ccache unless it is told not to worry about time stamps and defines inside them.
+find_program(PELLICLE_CCACHE ccache)
+if(PELLICLE_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+                                  ${PELLICLE_CCACHE})
+endif()

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/kinematics/vector3.h>
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace pellicle
+{
+/** How many parametric derivatives of a field a density reads. */
+enum class Derivatives
+{
+  none   = 1, ///< the value
+  first  = 3, ///< value, ,1 ,2
+  second = 6  ///< value, ,1 ,2, ,11 ,12 ,22
+};
+
+/** Number of input vectors ("slots": value, ,1, ,2, ...) of a field with these derivatives. */
+constexpr unsigned int n_slots(const Derivatives derivatives)
+{
+  return static_cast<unsigned int>(derivatives);
+}
+
+/** A field that a density reads: its name and how far it is differentiated. */
+struct FieldUse
+{
+  std::string_view name;
+  Derivatives      derivatives = Derivatives::first;
+};
+
+/**
+ * Value and parametric derivatives of one field at one point.
+ *
+ * | code            | symbol       |
+ * |-----------------|--------------|
+ * | value           | x            |
+ * | d1, d2          | x,1  x,2     |
+ * | d11, d12, d22   | x,11 x,12 x,22 |
+ */
+template <typename Number>
+struct FieldAtPoint
+{
+  std::array<Vector3<Number>, 6> slots{};
+
+  const Vector3<Number> &value() const { return slots[0]; }
+  const Vector3<Number> &d1() const { return slots[1]; }
+  const Vector3<Number> &d2() const { return slots[2]; }
+  const Vector3<Number> &d11() const { return slots[3]; }
+  const Vector3<Number> &d12() const { return slots[4]; }
+  const Vector3<Number> &d22() const { return slots[5]; }
+};
+
+/** All fields that a density declares, in the order of its declaration. */
+template <typename Number, unsigned int n_fields>
+using PointInputs = std::array<FieldAtPoint<Number>, n_fields>;
+
+/** What a density may know of a point besides the fields. Densities keep their own data per point (reference metric, history). */
+struct PointData
+{
+  std::size_t index = 0; ///< running number of the quadrature point: cell * (points a cell) + point
+};
+} // namespace pellicle
