@@ -13,7 +13,7 @@ option(PELLICLE_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 option(PELLICLE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
 
 add_library(pellicle_settings INTERFACE)
-target_compile_options(pellicle_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+target_compile_options(pellicle_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow=local -Wnon-virtual-dtor
                                                    $<$<BOOL:${PELLICLE_WARNINGS_AS_ERRORS}>:-Werror>)
 # -O3 and no errno for the point kernels; strict IEEE arithmetic otherwise (nan and inf are part of the user interface).
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG -fno-math-errno")

@@ -3,6 +3,13 @@
 
 include(CMakeFindDependencyMacro)
 
+# find_dependency() takes from the surrounding find_package() whether a missing library is an error. In the build itself it always is.
+if(NOT CMAKE_FIND_PACKAGE_NAME)
+  set(CMAKE_FIND_PACKAGE_NAME Pellicle)
+  set(Pellicle_FIND_REQUIRED TRUE)
+  set(Pellicle_BUILD_TYPE ${CMAKE_BUILD_TYPE})
+endif()
+
 # --- deal.II: only its library and include directories are taken; its compiler flags are not imposed on users.
 find_dependency(deal.II 9.4.1)
 find_dependency(MPI COMPONENTS C)
@@ -11,7 +18,7 @@ if(NOT TARGET pellicle_dealii)
   set_target_properties(pellicle_dealii PROPERTIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${DEAL_II_INCLUDE_DIRS}")
   set_property(TARGET pellicle_dealii PROPERTY INTERFACE_INCLUDE_DIRECTORIES "${DEAL_II_INCLUDE_DIRS}")
   # deal.II lists all of its own dependencies; the first entry is deal.II itself and is all that our code refers to.
-  if(CMAKE_BUILD_TYPE STREQUAL "Debug")
+  if(Pellicle_BUILD_TYPE STREQUAL "Debug")
     list(GET DEAL_II_LIBRARIES_DEBUG 0 _dealii_library)
     set_property(TARGET pellicle_dealii PROPERTY INTERFACE_COMPILE_DEFINITIONS DEBUG)
   else()

@@ -7,8 +7,8 @@
 namespace pellicle
 {
 /**
- * Three Cartesian components of any number type, automatic differentiation types included. Plain on purpose: operators that
- * return values, no expression templates, so that nested number types never dangle.
+ * Three Cartesian components of any number type, automatic differentiation types included. Plain on purpose: operators
+ * that return values, no expression templates, so that nested number types never dangle.
  */
 template <typename Number>
 struct Vector3
@@ -16,9 +16,12 @@ struct Vector3
   std::array<Number, 3> components{};
 
   Vector3() = default;
-  Vector3(const Number &x, const Number &y, const Number &z) : components{{x, y, z}} {}
+  Vector3(const Number &x, const Number &y, const Number &z)
+      : components{{x, y, z}}
+  {
+  }
 
-  Number       &operator[](const unsigned int i) { return components[i]; }
+  Number &operator[](const unsigned int i) { return components[i]; }
   const Number &operator[](const unsigned int i) const { return components[i]; }
 
   Vector3 &operator+=(const Vector3 &b)
@@ -55,7 +58,8 @@ Number dot(const Vector3<Number> &a, const Vector3<Number> &b)
 template <typename Number>
 Vector3<Number> cross(const Vector3<Number> &a, const Vector3<Number> &b)
 {
-  return Vector3<Number>(Number(a[1] * b[2] - a[2] * b[1]), Number(a[2] * b[0] - a[0] * b[2]), Number(a[0] * b[1] - a[1] * b[0]));
+  return Vector3<Number>(Number(a[1] * b[2] - a[2] * b[1]), Number(a[2] * b[0] - a[0] * b[2]),
+                         Number(a[0] * b[1] - a[1] * b[0]));
 }
 
 template <typename Number>

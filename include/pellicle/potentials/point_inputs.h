@@ -23,11 +23,19 @@ constexpr unsigned int n_slots(const Derivatives derivatives)
   return static_cast<unsigned int>(derivatives);
 }
 
-/** A field that a density reads: its name and how far it is differentiated. */
+/** What a solve does with a field. */
+enum class FieldRole
+{
+  independent, ///< an unknown of Newton's method
+  internal     ///< eliminated at every state by its own block of equations (the moment of the (x, P) form)
+};
+
+/** A field that a density reads: its name, how far it is differentiated, and its role. */
 struct FieldUse
 {
   std::string_view name;
   Derivatives      derivatives = Derivatives::first;
+  FieldRole        role        = FieldRole::independent;
 };
 
 /**

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <pellicle/solvers/sparse_matrix.h>
+#include <pellicle/base/sparse_matrix.h>
 
 #include <memory>
 #include <optional>

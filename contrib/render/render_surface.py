@@ -1,0 +1,421 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Draws a surface from a high-order VTU file into a PNG file, coloured by one of its fields.
+
+    xvfb-run -a /usr/bin/python3 render_surface.py solution_0004.vtu picture.png [--field FIELD] [--title TEXT]
+
+The field is mean_curvature_outward unless said otherwise. Left: the surface in three-quarter view, from the side that
+shows the deeper dimple. Right: its section by the x-z plane through the centre, in the same colours. Below: the colour
+bar. Needs the Debian packages python3-vtk9, xvfb and xauth; nothing else. Exit status: 0 picture written; 1 the file
+cannot be drawn; 3 VTK is not installed. The last line printed says why.
+"""
+import argparse
+import math
+import os
+import sys
+
+try:
+    import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws text)
+    import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws everything else)
+    from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkOutputWindow
+    from vtkmodules.vtkCommonDataModel import vtkPlane
+    from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+    from vtkmodules.vtkFiltersCore import (vtkCutter, vtkPointDataToCellData, vtkPolyDataNormals,
+                                           vtkStaticCleanPolyData, vtkStripper, vtkTriangleFilter, vtkTubeFilter)
+    from vtkmodules.vtkFiltersGeneral import vtkContourTriangulator
+    from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+    from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
+    from vtkmodules.vtkIOImage import vtkPNGWriter
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+    from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+    from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper,
+                                             vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter)
+except ImportError as error:
+    print(f"VTK for Python is missing ({error}; on Debian: apt-get install python3-vtk9).", file=sys.stderr)
+    sys.exit(3)
+
+WIDTH, HEIGHT = 1400, 1050
+MAIN_VIEW = (0.0, 0.16, 0.68, 0.92)  # left, bottom, right, top as parts of the picture
+SECTION_VIEW = (0.68, 0.30, 1.0, 0.84)
+INK = (0.13, 0.14, 0.17)
+TITLES = {"mean_curvature_outward": "Mean curvature (positive on a sphere)", "gauss_curvature": "Gauss curvature"}
+
+
+class CannotDraw(Exception):
+    """The message is for the user."""
+
+
+def read_surface(path, field):
+    """The triangles that stand for the surface in the picture, with the field as active scalar."""
+    if not os.path.isfile(path):
+        raise CannotDraw(f"{path} does not exist.")
+    vtkOutputWindow.SetGlobalWarningDisplay(0)  # VTK's own complaints about a broken file say less than ours
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.Update()
+    grid = reader.GetOutput()
+    if reader.GetErrorCode() != 0 or grid.GetNumberOfCells() == 0:
+        raise CannotDraw(f"{path} holds no surface.")
+    array = grid.GetPointData().GetArray(field)
+    if array is None or array.GetNumberOfComponents() != 1:
+        names = [grid.GetPointData().GetArrayName(i) for i in range(grid.GetPointData().GetNumberOfArrays())]
+        raise CannotDraw(f"{path} has no scalar field '{field}' (it has {', '.join(map(str, names))}).")
+    grid.GetPointData().SetActiveScalars(field)
+
+    # Each step of the subdivision quadruples the triangles; a few hundred thousand show no facets at this size.
+    nodes_per_cell = grid.GetNumberOfPoints() / grid.GetNumberOfCells()
+    triangles_per_cell = 2 * (math.sqrt(nodes_per_cell) - 1) ** 2
+    level = 4
+    while level > 1 and grid.GetNumberOfCells() * triangles_per_cell * 4 ** (level - 1) > 400000:
+        level -= 1
+    facets = vtkDataSetSurfaceFilter()
+    facets.SetInputData(grid)
+    facets.SetNonlinearSubdivisionLevel(level)
+    triangles = vtkTriangleFilter()
+    triangles.SetInputConnection(facets.GetOutputPort())
+    # Cells repeat the points they share; joined, they get one normal, and no crease shows between cells.
+    joined = vtkStaticCleanPolyData()
+    joined.SetInputConnection(triangles.GetOutputPort())
+    joined.ToleranceIsAbsoluteOn()
+    joined.SetAbsoluteTolerance(2e-6 * grid.GetLength())  # coordinates have single precision
+    normals = vtkPolyDataNormals()
+    normals.SetInputConnection(joined.GetOutputPort())
+    normals.SplittingOff()
+    normals.ConsistencyOff()
+    normals.Update()
+    return normals.GetOutput()
+
+
+def colour_range(surface, field):
+    """The 1st and 99th percentile by area: single nodes that stick out do not bleach the rest."""
+    sizes = vtkCellSizeFilter()
+    sizes.SetInputData(surface)
+    sizes.ComputeLengthOff()
+    sizes.ComputeVolumeOff()
+    sizes.ComputeVertexCountOff()
+    cells = vtkPointDataToCellData()
+    cells.SetInputConnection(sizes.GetOutputPort())
+    cells.Update()
+    values, areas = cells.GetOutput().GetCellData().GetArray(field), cells.GetOutput().GetCellData().GetArray("Area")
+    pairs = sorted((values.GetValue(i), areas.GetValue(i)) for i in range(values.GetNumberOfTuples())
+                   if math.isfinite(values.GetValue(i)))
+    if not pairs:
+        raise CannotDraw(f"the field '{field}' has no finite value.")
+    total, below, low, high = sum(area for _, area in pairs), 0.0, pairs[0][0], pairs[-1][0]
+    for value, area in pairs:
+        if below <= 0.01 * total:
+            low = value
+        if below <= 0.99 * total:
+            high = value
+        below += area
+    # A constant field stays one colour instead of showing its round-off.
+    least = 0.1 * max(abs(low), abs(high)) or 1.0
+    if high - low < least:
+        low, high = (low + high - least) / 2, (low + high + least) / 2
+    return low, high
+
+
+def colour_map(low, high):
+    """Diverging about zero (blue inward, red outward) where the field has both signs, else from dark to bright."""
+    colours = vtkColorTransferFunction()
+    colours.SetNanColor(0.6, 0.6, 0.6)
+    colours.SetColorSpaceToLab()
+    if low < 0 < high:
+        extreme = max(-low, high)
+        blues = [(0.10, 0.24, 0.56), (0.17, 0.44, 0.73), (0.36, 0.64, 0.83), (0.66, 0.82, 0.90)]
+        reds = [(0.62, 0.03, 0.16), (0.80, 0.20, 0.20), (0.90, 0.44, 0.34), (0.96, 0.70, 0.58)]
+        for i in range(4):
+            colours.AddRGBPoint(-extreme * (1 - i / 4), *blues[i])
+            colours.AddRGBPoint(extreme * (1 - i / 4), *reds[i])
+        colours.AddRGBPoint(0.0, 0.93, 0.92, 0.91)
+    else:
+        # Viridis without its darkest part, which shading would turn to black.
+        steps = [(0.254, 0.265, 0.530), (0.207, 0.372, 0.553), (0.164, 0.471, 0.558), (0.128, 0.567, 0.551),
+                 (0.135, 0.659, 0.518), (0.267, 0.749, 0.441), (0.478, 0.821, 0.318), (0.741, 0.873, 0.150),
+                 (0.993, 0.906, 0.144)]
+        for i, step in enumerate(steps):
+            colours.AddRGBPoint(low + (high - low) * i / (len(steps) - 1), *step)
+    return colours
+
+
+def coloured_actor(algorithm, colours):
+    """An actor for what a filter gives, with the colours of its active scalars."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(algorithm.GetOutputPort())
+    mapper.SetLookupTable(colours)
+    mapper.UseLookupTableScalarRangeOn()
+    mapper.InterpolateScalarsBeforeMappingOn()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def camera_side(surface):
+    """+1 to look from above, -1 from below: the side of the deeper dimple about the vertical axis."""
+    centre, size = box_of(surface)
+    low, high = surface.GetBounds()[4:6]
+    radius = max(size[0], size[1]) / 2
+    heights = []
+    points = surface.GetPoints()
+    for i in range(points.GetNumberOfPoints()):
+        x, y, z = points.GetPoint(i)
+        if math.hypot(x - centre[0], y - centre[1]) < 0.1 * radius:
+            heights.append(z)
+    if not heights:
+        return 1
+    return 1 if high - max(heights) >= min(heights) - low - 1e-3 * (high - low) else -1
+
+
+def box_of(surface):
+    """Centre and size of the bounding box."""
+    bounds = surface.GetBounds()
+    low, high = bounds[0::2], bounds[1::2]
+    return [(a + b) / 2 for a, b in zip(low, high)], [b - a for a, b in zip(low, high)]
+
+
+def main_view(surface, colours):
+    """The shaded surface."""
+    centre, size = box_of(surface)
+    renderer = vtkRenderer()
+    renderer.SetViewport(*MAIN_VIEW)
+    renderer.SetBackground(1, 1, 1)
+    producer = vtkTrivialProducer()
+    producer.SetOutput(surface)
+    actor = coloured_actor(producer, colours)
+    look = actor.GetProperty()
+    look.SetInterpolationToPhong()
+    look.SetAmbient(0.36)
+    look.SetDiffuse(0.78)
+    look.SetSpecular(0.22)
+    look.SetSpecularPower(28)
+    renderer.AddActor(actor)
+
+    # Tall shapes are seen from the side, flat ones from well above, where their dimples show.
+    flatness = max(size[0], size[1]) / max(size[2], 1e-300)
+    elevation = math.radians(18 if flatness < 0.9 else 38) * camera_side(surface)
+    azimuth = math.radians(-60)
+    direction = (math.cos(elevation) * math.cos(azimuth), math.cos(elevation) * math.sin(azimuth), math.sin(elevation))
+    camera = renderer.GetActiveCamera()
+    camera.SetFocalPoint(*centre)
+    camera.SetPosition(*(c + d for c, d in zip(centre, direction)))
+    camera.SetViewUp(0, 0, 1)
+    camera.SetViewAngle(22)
+    renderer.ResetCamera()
+    fill_view(renderer, surface)
+
+    renderer.AutomaticLightCreationOff()
+    key, fill = ((-0.9, 1.3, 1.4), 0.78, (1.0, 0.985, 0.96)), ((1.6, 0.2, 1.0), 0.30, (0.93, 0.96, 1.0))
+    from_below = ((-0.4, -1.4, 0.6), 0.16, (1.0, 1.0, 1.0)), ((0.1, -1.6, -0.3), 0.22, (1.0, 1.0, 1.0))
+    for position, strength, tint in (key, fill, *from_below):
+        light = vtkLight()
+        light.SetLightTypeToCameraLight()
+        light.SetPosition(*position)
+        light.SetFocalPoint(0, 0, 0)
+        light.SetIntensity(strength)
+        light.SetColor(*tint)
+        renderer.AddLight(light)
+    return renderer
+
+
+def fill_view(renderer, surface):
+    """Moves the camera's window so that the surface, not its bounding sphere, fills the view."""
+    camera = renderer.GetActiveCamera()
+    aspect = view_aspect(MAIN_VIEW)
+    points = surface.GetPoints()
+    matrix = camera.GetCompositeProjectionTransformMatrix(aspect, -1, 1)
+    xs, ys = [], []
+    step = max(1, points.GetNumberOfPoints() // 5000)
+    for i in range(0, points.GetNumberOfPoints(), step):
+        x, y, _, w = matrix.MultiplyPoint((*points.GetPoint(i), 1.0))
+        xs.append(x / w)
+        ys.append(y / w)
+    camera.SetWindowCenter((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2)
+    extent = max(max(xs) - min(xs), max(ys) - min(ys)) / 2
+    angle = math.radians(camera.GetViewAngle() / 2)
+    camera.SetViewAngle(2 * math.degrees(math.atan(math.tan(angle) * extent / 0.90)))
+    # The window's centre is measured in half widths of the view, which have just changed.
+    cx, cy = camera.GetWindowCenter()
+    camera.SetWindowCenter(cx * 0.90 / extent, cy * 0.90 / extent)
+    renderer.ResetCameraClippingRange()
+
+
+def view_aspect(view):
+    return (view[2] - view[0]) * WIDTH / ((view[3] - view[1]) * HEIGHT)
+
+
+def section_half_height(size):
+    """Half the height of what the section's view shows, in the surface's units: the section fills 86 % of it."""
+    return max(size[2] / 2, size[0] / 2 / view_aspect(SECTION_VIEW)) / 0.86
+
+
+def section_view(surface, colours):
+    """The section by the plane y = const through the centre: a coloured line about a light grey inside."""
+    centre, size = box_of(surface)
+    plane = vtkPlane()
+    # Slightly off the centre, where meshes like to have corners: a cut through a corner gives points twice.
+    plane.SetOrigin(centre[0], centre[1] + 3.7e-4 * size[1], centre[2])
+    plane.SetNormal(0, 1, 0)
+    cutter = vtkCutter()
+    cutter.SetInputData(surface)
+    cutter.SetCutFunction(plane)
+    lines = vtkStripper()
+    lines.SetInputConnection(cutter.GetOutputPort())
+    lines.JoinContiguousSegmentsOn()
+    lines.SetMaximumLength(1000000)
+
+    renderer = vtkRenderer()
+    renderer.SetViewport(*SECTION_VIEW)
+    renderer.SetBackground(1, 1, 1)
+    inside = vtkContourTriangulator()
+    inside.SetInputConnection(lines.GetOutputPort())
+    filling = vtkPolyDataMapper()
+    filling.SetInputConnection(inside.GetOutputPort())
+    filling.ScalarVisibilityOff()
+    filled = vtkActor()
+    filled.SetMapper(filling)
+    filled.GetProperty().SetColor(0.94, 0.945, 0.955)
+    filled.GetProperty().LightingOff()
+    renderer.AddActor(filled)
+
+    tube = vtkTubeFilter()
+    tube.SetInputConnection(lines.GetOutputPort())
+    half_height = section_half_height(size)
+    tube.SetRadius(0.015 * half_height)
+    tube.SetNumberOfSides(16)
+    tube.UseDefaultNormalOn()  # the line is plane
+    tube.SetDefaultNormal(0, 1, 0)
+    outline = coloured_actor(tube, colours)
+    outline.GetProperty().LightingOff()
+    renderer.AddActor(outline)
+
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetFocalPoint(*centre)
+    camera.SetPosition(centre[0], centre[1] - 10 * max(size), centre[2])
+    camera.SetViewUp(0, 0, 1)
+    camera.SetParallelScale(half_height)
+    renderer.ResetCameraClippingRange()
+    return renderer
+
+
+def text(content, x, y, size, bold=False):
+    """Centred text at (x, y), as parts of the picture."""
+    actor = vtkTextActor()
+    actor.SetInput(content)
+    actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedDisplay()
+    actor.SetPosition(x, y)
+    style = actor.GetTextProperty()
+    style.SetFontFamilyToArial()
+    style.SetFontSize(size)
+    style.SetBold(bold)
+    style.SetColor(*INK)
+    style.SetJustificationToCentered()
+    style.SetVerticalJustificationToCentered()
+    return actor
+
+
+def tick_values(low, high):
+    """Round numbers inside [low, high], about five."""
+    raw = (high - low) / 5
+    power = 10.0 ** math.floor(math.log10(raw))
+    step = next(m * power for m in (1, 2, 2.5, 5, 10) if m * power >= raw * 0.999)
+    first = math.ceil(low / step - 1e-9)
+    return [i * step for i in range(first, int(math.floor(high / step + 1e-9)) + 1)]
+
+
+def colour_bar(colours, low, high):
+    bar = vtkScalarBarActor()
+    shown = vtkColorTransferFunction()  # the bar shows the range that occurs, not the symmetric one
+    shown.DeepCopy(colours)
+    shown.AdjustRange((low, high))
+    bar.SetLookupTable(shown)
+    bar.SetOrientationToHorizontal()
+    bar.SetMaximumNumberOfColors(512)
+    bar.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+    bar.SetPosition(0.24, 0.052)
+    bar.SetWidth(0.52)
+    bar.SetHeight(0.052)
+    bar.SetBarRatio(0.45)
+    bar.SetTitle("")
+    bar.SetNumberOfLabels(0)
+    ticks = tick_values(low, high)
+    custom = vtkDoubleArray()
+    for value in ticks:
+        custom.InsertNextValue(value)
+    bar.SetCustomLabels(custom)
+    bar.UseCustomLabelsOn()
+    bar.SetLabelFormat("%.4g")
+    bar.UnconstrainedFontSizeOn()
+    style = bar.GetLabelTextProperty()
+    style.SetFontFamilyToArial()
+    style.SetFontSize(22)
+    style.SetColor(*INK)
+    style.ItalicOff()
+    style.BoldOff()
+    style.ShadowOff()
+    return bar
+
+
+def draw(surface, field, title):
+    """The render window with everything in it."""
+    low, high = colour_range(surface, field)
+    colours = colour_map(low, high)
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(8)
+    window.SetSize(WIDTH, HEIGHT)
+
+    # White paper below, the two views on it, text and colour bar on a transparent layer above.
+    window.SetNumberOfLayers(2)
+    paper = vtkRenderer()
+    paper.SetBackground(1, 1, 1)
+    window.AddRenderer(paper)
+    for view in (main_view(surface, colours), section_view(surface, colours)):
+        window.AddRenderer(view)
+    page = vtkRenderer()
+    page.SetLayer(1)
+    page.AddViewProp(text(title, 0.5, 0.955, 34, bold=True))
+    size = box_of(surface)[1]
+    left, bottom, right, top = SECTION_VIEW
+    lower_edge = (bottom + top) / 2 - (top - bottom) / 2 * size[2] / 2 / section_half_height(size)
+    page.AddViewProp(text("Section by the x-z plane", (left + right) / 2, lower_edge - 0.055, 22))
+    page.AddViewProp(text(TITLES.get(field, field.replace("_", " ")), 0.5, 0.125, 24))
+    page.AddViewProp(colour_bar(colours, low, high))
+    window.AddRenderer(page)
+    return window
+
+
+def write_picture(window, path):
+    """Whole or not at all: to a temporary name, then renamed."""
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(window)
+    grabber.SetInputBufferTypeToRGB()
+    grabber.ReadFrontBufferOff()
+    grabber.ShouldRerenderOff()
+    temporary = path + ".tmp"
+    writer = vtkPNGWriter()
+    writer.SetFileName(temporary)
+    writer.SetInputConnection(grabber.GetOutputPort())
+    window.Render()
+    writer.Write()
+    if not os.path.isfile(temporary) or os.path.getsize(temporary) == 0:
+        raise CannotDraw(f"{path} cannot be written.")
+    os.replace(temporary, path)
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Draws a surface from a high-order VTU file into a PNG file.")
+    parser.add_argument("vtu")
+    parser.add_argument("png")
+    parser.add_argument("--field", default="mean_curvature_outward", help="scalar point field that gives the colours")
+    parser.add_argument("--title", default="")
+    arguments = parser.parse_args()
+    try:
+        write_picture(draw(read_surface(arguments.vtu, arguments.field), arguments.field, arguments.title), arguments.png)
+    except CannotDraw as error:
+        print(error, file=sys.stderr)
+        sys.exit(1)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/assembly/communicator.h>
+#include <pellicle/assembly/contraction.h>
+#include <pellicle/assembly/nodal_chart.h>
+#include <pellicle/base/sparse_matrix.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pellicle
+{
+/**
+ * Unknowns of a linear system: the charts' unknowns node after node (fields in the layout's order within a node), then the multipliers of the
+ * constraints, then one row for each rigid motion.
+ */
+struct Numbering
+{
+  std::vector<NodalChart> charts; ///< one a field; a chart without nodes: the field is not part of this system
+  std::size_t             n_constraints = 0;
+  std::size_t             n_rigid       = 0;
+
+  std::vector<std::size_t> first;     ///< [node * n_fields + f]: first unknown of field f at a node
+  std::size_t              n_nodal = 0; ///< unknowns of all charts
+
+  Numbering(std::vector<NodalChart> charts, std::size_t n_constraints, std::size_t n_rigid);
+
+  std::size_t n_fields() const { return charts.size(); }
+  std::size_t size() const { return n_nodal + n_constraints + n_rigid; }
+  std::size_t n_unknowns_of(std::size_t field) const;
+  /** Unknowns of a field at a node; 0 if the field is not part of the system. */
+  unsigned int count(const std::size_t field, const std::size_t node) const
+  {
+    return charts[field].nodes.empty() ? 0 : charts[field].nodes[node].count;
+  }
+};
+
+/**
+ * The linear system of one Newton step, bordered by constraints and rigid motions:
+ *
+ *     [ K    A    R    ] [ du      ]     [ r       ]
+ *     [ A^T -1/c  0    ] [ dlambda ] = - [ g - g_0 - lambda/c ]
+ *     [ R^T  0   -1/rho] [ mu      ]     [ 0       ]
+ *
+ * Direct solvers take the dense rows as they are. mu is zero at a solution: the rigid rows only make the matrix regular. Each process holds the
+ * contributions of its own cells; residuals are complete on every process after finish().
+ */
+class BorderedSystem
+{
+public:
+  BorderedSystem(const SurfaceDiscretization &discretization, Numbering numbering, const Communicator &communicator);
+
+  const Numbering &numbering() const { return unknowns; }
+
+  void begin();
+  /** Adds a cell. `mesh`: the mesh energy's contribution, for charts with mesh equations (else null). */
+  void add_cell(std::size_t cell, const Element &physics, const std::vector<std::vector<double>> &constraint_gradients, const Element *mesh);
+  /** Only the residual of a cell, for elimination and checks. */
+  void add_cell_residual(std::size_t cell, const Element &physics);
+  /** Border: value -1/c on the diagonal of constraint k and its residual. */
+  void set_constraint(std::size_t k, double compliance, double residual);
+  /** Border row of a rigid motion: `direction` is a nodal vector field (already weighted), on the diagonal -1/rho. */
+  void set_rigid_motion(std::size_t k, const NodalVectors &direction, double inverse_rho);
+  /** Sums residuals over the processes. */
+  void finish();
+
+  const SparseMatrix        &matrix() const { return sparse; }
+  const std::vector<double> &residual() const { return right; }
+  /** Euclidean norms of the nodal residual and of the sum of the absolute contributions of cells to it. */
+  double residual_norm() const;
+  double contribution_norm() const;
+  /** The gradient of constraint k with respect to all nodal unknowns. */
+  const std::vector<double> &constraint_gradient(const std::size_t k) const { return constraint_rows[k]; }
+
+  /** Adds values[i] to the diagonal entry of each nodal unknown i, on the first process only (the sum counts). */
+  void add_to_diagonal(const std::vector<double> &values, double factor);
+
+  /** Multiplies nodal vectors of field f by Z^T. */
+  void restrict_vector(std::size_t field, const NodalVectors &vector, std::vector<double> &unknowns) const;
+  /** x_f += factor Z u. */
+  void prolongate(const std::vector<double> &u, double factor, std::size_t field, NodalVectors &values) const;
+
+private:
+  void make_pattern();
+  void project(std::size_t cell, const Element &physics, const Element *mesh);
+  void cell_unknowns(std::size_t cell, std::vector<int> &list) const;
+
+  const SurfaceDiscretization &discretization;
+  const Communicator          &communicator;
+  Numbering                    unknowns;
+  SparseMatrix                 sparse;
+  std::vector<double>          right, contributions;
+  std::vector<std::vector<double>> constraint_rows;
+
+  std::size_t              first_cell = 0, last_cell = 0;
+  std::vector<std::size_t> scatter_start; ///< of each own cell in `scatter`
+  std::vector<int>         scatter;       ///< positions in sparse.values; -1: not stored (upper triangle)
+  std::vector<int>         diagonal;      ///< position of each diagonal entry
+  std::vector<int>         cell_list;
+  std::vector<double>      projected, projected_gradient, projected_contribution;
+};
+} // namespace pellicle

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/discretization/surface_discretization.h>
+
+#include <array>
+#include <vector>
+
+namespace pellicle
+{
+/**
+ * Unknowns of one field: nodal vector of I = current vector + sum_j column_Ij u_Ij (contract 4: Z = the 3 x m matrix of columns). Assembly works
+ * in R^3 and knows none of it; rows and columns of a cell's contribution are multiplied by Z when they are scattered.
+ *
+ * A column's equation is the physical one (Z^T residual = 0) or, for the tangential columns of the ALE chart, the mesh equation (tangential
+ * gradient of the mesh energy = 0).
+ */
+struct NodalChart
+{
+  struct Node
+  {
+    unsigned int          count = 0;          ///< m, 0 to 3
+    std::array<double, 9> columns{};          ///< column j: columns[3 j .. 3 j + 2], orthonormal
+    std::array<bool, 3>   mesh_equation{};    ///< by column
+  };
+  std::vector<Node> nodes;
+
+  bool has_mesh_equations() const;
+};
+
+/** Every admissible direction of a node is an unknown (the moment). */
+NodalChart free_chart(const SurfaceDiscretization &discretization);
+
+/** Normal graph x = X + u d with d the nodal normal: one unknown a node, symmetric, variational. Tangential motion, a gauge, is fixed. */
+NodalChart graph_chart(const SurfaceDiscretization &discretization, const NodalVectors &normals);
+
+/** ALE: all admissible directions; the normal one with the physical equation, tangential ones with mesh equations. Unsymmetric, no bias. */
+NodalChart ale_chart(const SurfaceDiscretization &discretization, const NodalVectors &normals);
+
+/** Unit normals at the nodes: averages of the cells' normals at their nodes, weighted by area, projected to the admissible directions. */
+NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const NodalVectors &positions);
+
+/** Integrals of the nodal shape functions over the surface: the lumped mass w_I > 0 (sum = area). */
+std::vector<double> nodal_areas(const SurfaceDiscretization &discretization, const NodalVectors &positions);
+} // namespace pellicle

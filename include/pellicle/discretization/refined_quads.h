@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/discretization/surface_discretization.h>
+
+#include <functional>
+
+namespace pellicle
+{
+/** Four vertices of a quadrilateral, lexicographic: (0,0), (1,0), (0,1), (1,1) on the unit cell. */
+using QuadVertices = std::array<unsigned int, 4>;
+
+/** Where a node lies: local coordinates in [-1, 1]^2 of a coarse quadrilateral. */
+struct PatchPoint
+{
+  unsigned int patch = 0;
+  double       xi    = 0.;
+  double       eta   = 0.;
+};
+
+/**
+ * Coarse quadrilaterals ("patches") of a closed surface, each cut into 4^r cells of degree k, with all nodes numbered across
+ * patches. Pure topology: where the nodes are in space is up to the map given to place_nodes().
+ */
+struct RefinedQuads
+{
+  std::vector<QuadVertices> patches; ///< as given, but each turned (never flipped) so that neighbours agree on edge directions
+  std::size_t               n_nodes = 0;
+  std::size_t               n_cells = 0;
+  std::vector<std::size_t>  cell_nodes; ///< lexicographic in a cell, as in SurfaceDiscretization
+  std::vector<unsigned int> cell_patch; ///< patch of each cell
+  std::vector<PatchPoint>   cell_sites; ///< of every entry of cell_nodes; exactly antisymmetric about the patch's centre
+};
+
+/**
+ * Cuts and numbers, by means of a deal.II triangulation that lives no longer than this call.
+ *
+ * Vertices are needed for their connectivity only. The quadrilaterals must cover a closed surface and be oriented alike; this is
+ * asserted, not diagnosed (see orient_closed_surface() for meshes that come from users).
+ */
+RefinedQuads refine_quads(const std::vector<Vector3<double>> &vertices, const std::vector<QuadVertices> &quads,
+                          unsigned int refinements, unsigned int degree);
+
+/** Discretization with Gauss tables and six rigid motions, whose node at site s is point(s). `point` must be continuous across patches. */
+SurfaceDiscretization place_nodes(const RefinedQuads &mesh, unsigned int degree, const std::function<Vector3<double>(const PatchPoint &)> &point);
+
+/** Gauss-Lobatto points of degree k on [-1, 1], exactly antisymmetric: the nodes of a cell along one direction. */
+std::vector<double> line_nodes(unsigned int degree);
+} // namespace pellicle

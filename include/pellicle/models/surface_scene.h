@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/base/parameters.h>
+#include <pellicle/discretization/start_shapes.h>
+#include <pellicle/potentials/potential_library.h>
+#include <pellicle/solvers/load_stepping.h>
+#include <pellicle/solvers/newton.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pellicle
+{
+/** Section "Mesh". */
+struct MeshParameters
+{
+  int         degree      = 3;
+  int         refinements = 2;
+  std::string symmetry    = "none";
+  std::string file;
+
+  void bind(ParameterSection &section);
+};
+
+/** Section "Vesicle": start shape and targets of the constraints, in the user's units. */
+struct VesicleParameters
+{
+  double              area           = 12.566370614359172;
+  double              reduced_volume = 0.9;
+  std::string         start_shape    = "prolate";
+  std::vector<double> semi_axes{1., 1., 1.2};
+  double              torus_ratio = 1.4142135623730951;
+  double              node_noise  = 0.;
+  int                 random_seed = 1;
+
+  void bind(ParameterSection &section);
+};
+
+/** Section "Output". */
+struct OutputParameters
+{
+  bool solution = true;
+  bool picture  = true;
+
+  void bind(ParameterSection &section);
+};
+
+/** All parameters of a scene with one surface: the plain structs that a library user fills and that a scene file is read into. */
+struct SurfaceScene
+{
+  MeshParameters                       mesh;
+  VesicleParameters                    vesicle;
+  LoadParameters                       load;
+  NewtonParameters                     newton;
+  OutputParameters                     output;
+  std::vector<std::unique_ptr<Effect>> effects;
+  std::vector<std::string>             analyses;
+
+  /** Sections bound to the members; they must not outlive this object. */
+  std::vector<ParameterSection> sections();
+
+  /** Cross-checks between parameters. Throws UserError. */
+  void check() const;
+
+  bool   has_effect(const std::string &name) const;
+  bool   has_analysis(const std::string &name) const;
+  Scales scales() const;       ///< length sqrt(A/4 pi), energy typical of the effects
+  double target_volume() const; ///< v (4 pi/3) (A/4 pi)^(3/2), the user's units
+
+  StartShape start_shape() const;
+  /** Energies and constraints in internal units. */
+  PotentialSet potentials(const Scales &scales) const;
+};
+
+/** A scene with the named effects of a library, parameters at their defaults. Throws UserError for an unknown effect. */
+SurfaceScene make_surface_scene(const EffectLibrary &library, const std::vector<std::string> &effects, const std::vector<std::string> &analyses);
+
+/** Names of the analyses that can be listed. */
+const std::vector<std::string> &analysis_names();
+} // namespace pellicle

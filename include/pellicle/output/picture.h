@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace pellicle
+{
+/**
+ * Where render_surface.py is: ../share/pellicle/render/ seen from the running program (installed), else in the source
+ * tree that this library was built from; nothing if in neither.
+ */
+std::optional<std::filesystem::path> find_render_script();
+
+/**
+ * Draws the surface in a VTU file, coloured by mean curvature, with a section beside it, into a PNG file. Returns
+ * nothing on success, else a sentence that says why there is no picture (renderer not installed, out of time, ...): a
+ * run says so and goes on. Never throws; never takes longer than a minute.
+ */
+std::optional<std::string> render_picture(const std::filesystem::path &vtu, const std::filesystem::path &png,
+                                          const std::string &title);
+} // namespace pellicle

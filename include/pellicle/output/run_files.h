@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/base/observer.h>
+#include <pellicle/output/tables.h>
+
+#include <filesystem>
+
+namespace pellicle
+{
+/**
+ * Makes the output directory ready for a new run: creates it if missing and removes the result files that an earlier
+ * run left in it (summary, tables, solutions, picture; nothing else), so that a run that is killed cannot be mistaken
+ * for a finished one. Throws UserError with path and reason.
+ */
+void prepare_output_directory(const std::filesystem::path &directory);
+
+/** Keeps `history.csv` and `convergence.csv` of a run; both start empty. Under MPI only rank 0 constructs one. */
+class RunFiles : public Observer
+{
+public:
+  /** The directory stands. Throws UserError when it cannot be written. */
+  explicit RunFiles(const std::filesystem::path &directory);
+
+  void on_iteration(const IterationReport &report) override;
+  void on_step(const StepReport &report) override;
+
+private:
+  HistoryTable history;
+  ConvergenceTable convergence;
+};
+} // namespace pellicle

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/base/parameters.h>
+#include <pellicle/base/scales.h>
+#include <pellicle/potentials/potential.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pellicle
+{
+/**
+ * A scalar constraint g(fields) = target with its multiplier lambda. The Lagrangian gains
+ *
+ *     lambda (g - target) - lambda^2 / (2 stiffness),
+ *
+ * so that an infinite stiffness is the constraint by a Lagrange multiplier, and a finite one is exactly the penalty energy
+ * (stiffness/2) (g - target)^2 with lambda = stiffness (g - target), without its bad conditioning.
+ */
+struct Constraint
+{
+  std::shared_ptr<const Potential> measure; ///< g, integral of a density
+  double                           target = 0.;
+  double                           stiffness = std::numeric_limits<double>::infinity();
+  std::string                      quantity;             ///< reported name of g, e.g. "volume"
+  std::string                      multiplier;           ///< reported name of the multiplier, e.g. "pressure"
+  double                           multiplier_sign = 1.; ///< reported multiplier = sign * lambda
+  Dimension                        dimension;            ///< of g; the multiplier's is energy / dimension
+};
+
+/** The lists that make a scene: energies and constraints. What is not listed costs nothing. */
+struct PotentialSet
+{
+  std::vector<std::shared_ptr<const Potential>> energies;
+  std::vector<Constraint>                       constraints;
+};
+
+/** What effects may take from the scene besides their own parameters; internal units. */
+struct SceneTargets
+{
+  double area   = 0.; ///< `Vesicle/Area`
+  double volume = 0.; ///< from `Vesicle/Reduced volume`
+};
+
+/**
+ * An entry of the scene's list `Effects`: its parameters, and the energies and constraints that it adds. The parameters are read in the
+ * user's units; contribute() scales them.
+ */
+class Effect
+{
+public:
+  virtual ~Effect() = default;
+
+  /** Name in the list `Effects`; with a capital first letter also the name of its section. */
+  virtual const std::string &name() const = 0;
+  /** One sentence with formula and signs, for the manual. */
+  virtual std::string description() const = 0;
+  /** Binds the parameters (none by default). */
+  virtual void bind(ParameterSection & /*section*/) {}
+  /** Cross-checks of parameters; throws UserError. */
+  virtual void check() const {}
+  /** An energy typical of the effect, in the user's units, given the scene's length; none if the effect has none. */
+  virtual std::optional<double> typical_energy(double /*length*/) const { return std::nullopt; }
+  /** Adds energies and constraints in internal units. */
+  virtual void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const = 0;
+};
+
+/** "surface tension" -> "Surface tension": the section of an effect. */
+std::string section_name(const std::string &effect_name);
+} // namespace pellicle

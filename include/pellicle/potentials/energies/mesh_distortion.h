@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/potentials/surface_measures.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pellicle
+{
+/** Metric A_ab of a reference parametrisation at a point. */
+struct ReferenceMetric
+{
+  double A11 = 1., A12 = 0., A22 = 1.;
+};
+
+/**
+ * Distortion of the mesh relative to a reference, per reference area:
+ *
+ *     tr C/(2 J) - 1 + (J - 1)^2/2,    C = A^-1 a,   J = sqrt(det C),
+ *
+ * zero where the metric a_ab equals the reference A_ab. The first two terms see change of shape only (conformal energy), the last one change of
+ * area. Its tangential gradient fixes the position of the nodes on the surface in the ALE chart; it is no physics and is never added to it.
+ */
+struct MeshDistortion
+{
+  static constexpr std::array<FieldUse, 1> fields{{{"position", Derivatives::first, FieldRole::independent}}};
+  static constexpr bool                    reparametrisation_invariant = false;
+
+  std::shared_ptr<const std::vector<ReferenceMetric>> reference; ///< by PointData::index
+
+  template <typename Number>
+  Number density(const PointInputs<Number, 1> &inputs, const PointData &data) const
+  {
+    const ReferenceMetric &A  = (*reference)[data.index];
+    const double           J0 = std::sqrt(A.A11 * A.A22 - A.A12 * A.A12);
+    const Vector3<Number> &x1 = inputs[0].d1(), &x2 = inputs[0].d2();
+    const Number           stretch = area_density(inputs[0]) / J0;
+    const Number trace = (A.A22 * dot(x1, x1) - 2. * A.A12 * dot(x1, x2) + A.A11 * dot(x2, x2)) / (J0 * J0);
+    return J0 * (trace / (2. * stretch) - 1. + 0.5 * (stretch - 1.) * (stretch - 1.));
+  }
+};
+
+/** The mesh energy as a potential. */
+std::shared_ptr<const Potential> make_mesh_distortion(std::vector<ReferenceMetric> reference);
+} // namespace pellicle

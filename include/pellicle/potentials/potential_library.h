@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/base/registry.h>
+#include <pellicle/potentials/effect.h>
+
+namespace pellicle
+{
+/** Names of effects and how to make them. Applications of one's own add theirs: `library.add("my effect", factory)`. */
+using EffectLibrary = Registry<Effect>;
+
+/** The effects that Pellicle ships: the one readable list. */
+EffectLibrary standard_effects();
+} // namespace pellicle

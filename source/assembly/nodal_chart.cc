@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/nodal_chart.h>
+#include <pellicle/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pellicle
+{
+namespace
+{
+using Direction = Vector3<double>;
+
+std::vector<Direction> admissible_directions(const SurfaceDiscretization &discretization, const std::size_t node)
+{
+  const AdmissibleDirections all = discretization.admissible.empty() ? AdmissibleDirections{} : discretization.admissible[node];
+  std::vector<Direction>     directions;
+  for (unsigned int j = 0; j < all.count; ++j)
+    directions.emplace_back(all.columns[j][0], all.columns[j][1], all.columns[j][2]);
+  return directions;
+}
+
+void append_column(NodalChart::Node &node, const Direction &d, const bool mesh_equation)
+{
+  for (unsigned int c = 0; c < 3; ++c)
+    node.columns[3 * node.count + c] = d[c];
+  node.mesh_equation[node.count++] = mesh_equation;
+}
+
+// Orthonormal completion of d within the span of the admissible directions (Gram-Schmidt, the most independent candidate first).
+std::vector<Direction> tangents(const Direction &d, const std::vector<Direction> &admissible)
+{
+  std::vector<Direction> basis{d};
+  while (basis.size() < admissible.size())
+  {
+    Direction best;
+    double    best_norm = 0.;
+    for (Direction candidate : admissible)
+    {
+      for (const Direction &b : basis)
+        candidate -= dot(candidate, b) * b;
+      if (norm(candidate) > best_norm)
+      {
+        best      = candidate;
+        best_norm = norm(candidate);
+      }
+    }
+    basis.push_back((1. / best_norm) * best);
+  }
+  return {basis.begin() + 1, basis.end()};
+}
+} // namespace
+
+bool NodalChart::has_mesh_equations() const
+{
+  return std::any_of(nodes.begin(), nodes.end(), [](const Node &node) {
+    return node.mesh_equation[0] || node.mesh_equation[1] || node.mesh_equation[2];
+  });
+}
+
+NodalChart free_chart(const SurfaceDiscretization &discretization)
+{
+  NodalChart chart;
+  chart.nodes.resize(discretization.n_nodes);
+  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+    for (const Direction &d : admissible_directions(discretization, I))
+      append_column(chart.nodes[I], d, false);
+  return chart;
+}
+
+NodalChart graph_chart(const SurfaceDiscretization &discretization, const NodalVectors &normals)
+{
+  NodalChart chart;
+  chart.nodes.resize(discretization.n_nodes);
+  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+    append_column(chart.nodes[I], {normals[3 * I], normals[3 * I + 1], normals[3 * I + 2]}, false);
+  return chart;
+}
+
+NodalChart ale_chart(const SurfaceDiscretization &discretization, const NodalVectors &normals)
+{
+  NodalChart chart = graph_chart(discretization, normals);
+  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+    for (const Direction &t : tangents({normals[3 * I], normals[3 * I + 1], normals[3 * I + 2]}, admissible_directions(discretization, I)))
+      append_column(chart.nodes[I], t, true);
+  return chart;
+}
+
+NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const NodalVectors &positions)
+{
+  // At the nodes themselves: on a meridian x,2 vanishes at the poles, so there the normal comes from neighbouring quadrature points; averaging
+  // over quadrature points with N_I as weight does both.
+  NodalVectors        normals(3 * discretization.n_nodes, 0.);
+  const ShapeTables  &tables = discretization.tables;
+  std::vector<double> inputs(std::size_t(tables.n_points) * 18);
+  for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
+  {
+    const std::size_t *nodes = discretization.cell_nodes.data() + cell * tables.n_nodes;
+    evaluate_field(tables, nodes, positions, 3, inputs.data());
+    for (unsigned int q = 0; q < tables.n_points; ++q)
+    {
+      const double         *x = inputs.data() + 18 * q;
+      const Vector3<double> N = cross(Vector3<double>(x[3], x[4], x[5]), Vector3<double>(x[6], x[7], x[8]));
+      for (unsigned int I = 0; I < tables.n_nodes; ++I)
+        for (unsigned int c = 0; c < 3; ++c)
+          normals[3 * nodes[I] + c] += tables.weights[q] * tables.tables[0][std::size_t(q) * tables.n_nodes + I] * N[c];
+    }
+  }
+  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+  {
+    const Vector3<double> average(normals[3 * I], normals[3 * I + 1], normals[3 * I + 2]);
+    Vector3<double>       d;
+    for (const Direction &e : admissible_directions(discretization, I))
+      d += dot(average, e) * e;
+    const double length = norm(d);
+    PELLICLE_ASSERT(length > 0., "a node without a normal");
+    for (unsigned int c = 0; c < 3; ++c)
+      normals[3 * I + c] = d[c] / length;
+  }
+  return normals;
+}
+
+std::vector<double> nodal_areas(const SurfaceDiscretization &discretization, const NodalVectors &positions)
+{
+  std::vector<double> areas(discretization.n_nodes, 0.);
+  const ShapeTables  &tables = discretization.tables;
+  std::vector<double> inputs(std::size_t(tables.n_points) * 18);
+  for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
+  {
+    const std::size_t *nodes = discretization.cell_nodes.data() + cell * tables.n_nodes;
+    evaluate_field(tables, nodes, positions, 3, inputs.data());
+    for (unsigned int q = 0; q < tables.n_points; ++q)
+    {
+      const double *x = inputs.data() + 18 * q;
+      const double  J = norm(cross(Vector3<double>(x[3], x[4], x[5]), Vector3<double>(x[6], x[7], x[8])));
+      for (unsigned int I = 0; I < tables.n_nodes; ++I)
+        areas[nodes[I]] += tables.weights[q] * J * tables.tables[0][std::size_t(q) * tables.n_nodes + I];
+    }
+  }
+  return areas;
+}
+} // namespace pellicle

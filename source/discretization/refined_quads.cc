@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/refined_quads.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+
+namespace pellicle
+{
+namespace
+{
+using Triangulation = dealii::Triangulation<2, 3>;
+
+/** The patches as deal.II wants them. Degrees of freedom on an edge are only shared properly when both cells run along it in the
+ *  same direction; on an orientable surface turning the cells achieves that. */
+std::vector<dealii::CellData<2>> coarse_cells(const std::vector<QuadVertices> &quads)
+{
+  std::vector<dealii::CellData<2>> cells(quads.size());
+  for (std::size_t p = 0; p < quads.size(); ++p)
+    cells[p].vertices.assign(quads[p].begin(), quads[p].end());
+  dealii::GridTools::consistently_order_cells(cells);
+  return cells;
+}
+
+/** Centre and half width, in the local coordinates of its patch, of a cell that descends from it. */
+struct Box
+{
+  double xi = 0., eta = 0., half = 1.;
+};
+
+Box locate(const dealii::CellId &id)
+{
+  Box box;
+  for (const auto child : id.get_child_indices())
+  {
+    box.half /= 2.; // powers of two: every number here is exact
+    box.xi += (child % 2 == 0) ? -box.half : box.half;
+    box.eta += (child / 2 == 0) ? -box.half : box.half;
+  }
+  return box;
+}
+} // namespace
+
+std::vector<double> line_nodes(const unsigned int degree)
+{
+  const dealii::FE_Q<1>           fe(degree);
+  const std::vector<unsigned int> dof_of = fe.get_poly_space_numbering_inverse();
+  std::vector<double>             nodes(degree + 1);
+  for (unsigned int i = 0; i <= degree; ++i)
+    nodes[i] = fe.unit_support_point(dof_of[i])[0] - fe.unit_support_point(dof_of[degree - i])[0];
+  return nodes;
+}
+
+RefinedQuads refine_quads(const std::vector<Vector3<double>> &vertices, const std::vector<QuadVertices> &quads,
+                          const unsigned int refinements, const unsigned int degree)
+{
+  std::vector<dealii::Point<3>> points;
+  for (const Vector3<double> &v : vertices)
+    points.emplace_back(v[0], v[1], v[2]);
+  const std::vector<dealii::CellData<2>> coarse = coarse_cells(quads);
+
+  Triangulation triangulation;
+  triangulation.create_triangulation(points, coarse, dealii::SubCellData());
+  triangulation.refine_global(refinements);
+
+  const dealii::FE_Q<2, 3> fe(degree);
+  dealii::DoFHandler<2, 3> dofs(triangulation);
+  dofs.distribute_dofs(fe);
+
+  RefinedQuads mesh;
+  mesh.n_nodes = dofs.n_dofs();
+  mesh.n_cells = triangulation.n_active_cells();
+  for (const auto &cell : coarse)
+    mesh.patches.push_back({{cell.vertices[0], cell.vertices[1], cell.vertices[2], cell.vertices[3]}});
+
+  const std::vector<double>                    nodes  = line_nodes(degree);
+  const std::vector<unsigned int>              dof_of = fe.get_poly_space_numbering_inverse();
+  std::vector<dealii::types::global_dof_index> numbers(fe.n_dofs_per_cell());
+  for (const auto &cell : dofs.active_cell_iterators())
+  {
+    PELLICLE_ASSERT(cell->direction_flag(), "patches are not oriented alike");
+    cell->get_dof_indices(numbers);
+    const dealii::CellId id    = cell->id();
+    const auto           patch = static_cast<unsigned int>(id.get_coarse_cell_id());
+    const Box            box   = locate(id);
+    mesh.cell_patch.push_back(patch);
+    for (unsigned int j = 0; j <= degree; ++j)
+      for (unsigned int i = 0; i <= degree; ++i)
+      {
+        mesh.cell_nodes.push_back(numbers[dof_of[j * (degree + 1) + i]]);
+        mesh.cell_sites.push_back({patch, box.xi + box.half * nodes[i], box.eta + box.half * nodes[j]});
+      }
+  }
+  return mesh;
+}
+
+SurfaceDiscretization place_nodes(const RefinedQuads &mesh, const unsigned int degree,
+                                  const std::function<Vector3<double>(const PatchPoint &)> &point)
+{
+  SurfaceDiscretization result;
+  result.kind       = SurfaceDiscretization::Kind::surface;
+  result.degree     = degree;
+  result.n_nodes    = mesh.n_nodes;
+  result.n_cells    = mesh.n_cells;
+  result.cell_nodes = mesh.cell_nodes;
+  result.tables     = make_surface_tables(degree, degree + 1);
+  result.rigid_motions.resize(6); // three translations, three rotations
+  for (unsigned int c = 0; c < 3; ++c)
+  {
+    result.rigid_motions[c].translation[c]  = 1.;
+    result.rigid_motions[3 + c].rotation[c] = 1.;
+  }
+
+  result.positions.resize(3 * mesh.n_nodes);
+  std::vector<bool> placed(mesh.n_nodes, false);
+  for (std::size_t i = 0; i < mesh.cell_nodes.size(); ++i)
+  {
+    const std::size_t node = mesh.cell_nodes[i];
+    if (placed[node])
+      continue;
+    placed[node]            = true;
+    const Vector3<double> x = point(mesh.cell_sites[i]);
+    for (unsigned int c = 0; c < 3; ++c)
+      result.positions[3 * node + c] = x[c];
+  }
+  return result;
+}
+} // namespace pellicle

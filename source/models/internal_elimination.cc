@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/exceptions.h>
+#include <pellicle/models/internal_elimination.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pellicle
+{
+namespace
+{
+constexpr int    max_iterations = 10;
+constexpr double tolerance      = 1e-11; // of the residual relative to the cells' contributions
+
+std::vector<NodalChart> charts_of_internal_fields(const SurfaceDiscretization &discretization, const FieldLayout &layout)
+{
+  std::vector<NodalChart> charts;
+  for (const Field &field : layout.fields())
+    charts.push_back(field.role == FieldRole::internal ? free_chart(discretization) : NodalChart{});
+  return charts;
+}
+} // namespace
+
+InternalElimination::InternalElimination(const SurfaceDiscretization &discretization, const FieldLayout &layout, const PotentialSet &set,
+                                         const Communicator &communicator, const std::string &linear_solver, Timing &timing)
+    : layout(layout), assembler(discretization, layout, communicator, Assembler::internal(set, layout)),
+      system(discretization, Numbering(charts_of_internal_fields(discretization, layout), 0, 0), communicator),
+      n_unknowns(system.numbering().size()), solver(make_linear_solver(linear_solver)), timing(timing)
+{}
+
+double InternalElimination::relative_residual(const PotentialSet &set, const std::vector<double> &multipliers, const FieldValues &values,
+                                              const Order order)
+{
+  const Timing::Scope scope(timing, "assembly");
+  system.begin();
+  assembler.loop(set, values, multipliers, order,
+                 [&](const std::size_t cell, const Element &element, const auto & /*constraint_gradients*/) {
+                   if (order == Order::hessian)
+                     system.add_cell(cell, element, {}, nullptr);
+                   else
+                     system.add_cell_residual(cell, element);
+                 });
+  system.finish();
+  return system.residual_norm() / system.contribution_norm();
+}
+
+bool InternalElimination::solve(const PotentialSet &set, const std::vector<double> &multipliers, FieldValues &values)
+{
+  double residual = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < max_iterations; ++iteration)
+  {
+    const double before = relative_residual(set, multipliers, values, Order::hessian);
+    if (!std::isfinite(before))
+      return false;
+    std::vector<double> step = system.residual();
+    {
+      const Timing::Scope scope(timing, "linear solve");
+      try
+      {
+        solver->factorize(system.matrix());
+      }
+      catch (const SolveError &)
+      {
+        return false;
+      }
+      solver->solve(step);
+    }
+    for (std::size_t f = 0; f < layout.fields().size(); ++f)
+      system.prolongate(step, -1., f, values[f]);
+    const double after = relative_residual(set, multipliers, values, Order::gradient);
+    // Below the tolerance, or at round-off where it no longer falls.
+    if (after <= tolerance || (after < 1e3 * tolerance && after > 0.5 * residual))
+      return true;
+    residual = after;
+  }
+  return false;
+}
+} // namespace pellicle

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/nodal_chart.h>
+#include <pellicle/base/exceptions.h>
+#include <pellicle/kinematics/surface_point.h>
+#include <pellicle/models/nodal_curvature.h>
+
+#include <Eigen/Sparse>
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+
+namespace pellicle
+{
+namespace
+{
+/** The geometry at every quadrature point, cell after cell. */
+class PointWalk
+{
+public:
+  PointWalk(const SurfaceDiscretization &discretization, const NodalVectors &positions)
+      : surface(discretization)
+      , values(positions)
+      , inputs(std::size_t(discretization.tables.n_points) * 18)
+  {
+  }
+
+  /** visit(cell's nodes, number of the point, weight, geometry at the point). */
+  template <typename Visit>
+  void for_all_points(const Visit &visit)
+  {
+    const ShapeTables &tables = surface.tables;
+    for (std::size_t cell = 0; cell < surface.n_cells; ++cell)
+    {
+      const std::size_t *const nodes = &surface.cell_nodes[cell * tables.n_nodes];
+      evaluate_field(tables, nodes, values, 6, inputs.data());
+      for (unsigned int q = 0; q < tables.n_points; ++q)
+        visit(nodes, q, tables.weights[q],
+              SurfacePoint<double>(slot(q, 1), slot(q, 2), slot(q, 3), slot(q, 4), slot(q, 5)));
+    }
+  }
+
+private:
+  Vector3<double> slot(const unsigned int q, const unsigned int s) const
+  {
+    const double *const v = &inputs[18 * q + 3 * s];
+    return {v[0], v[1], v[2]};
+  }
+
+  const SurfaceDiscretization &surface;
+  const NodalVectors &values;
+  std::vector<double> inputs;
+};
+
+struct WeakForms
+{
+  Eigen::SparseMatrix<double> mass; ///< scalar
+  Eigen::MatrixX3d laplacian;       ///< integral of a^ab x_,a . y_,b: row = node of y, column = component of y
+  Eigen::VectorXd gauss;            ///< integral of K y
+};
+
+/** m^T v of a row-major matrix. */
+Vector3<double> transposed_times(const std::array<double, 9> &m, const Vector3<double> &v)
+{
+  Vector3<double> result;
+  for (unsigned int c = 0; c < 3; ++c)
+    result[c] = m[c] * v[0] + m[3 + c] * v[1] + m[6 + c] * v[2];
+  return result;
+}
+
+WeakForms assemble(const SurfaceDiscretization &discretization, const NodalVectors &positions)
+{
+  const ShapeTables &tables = discretization.tables;
+  const unsigned int n      = tables.n_nodes;
+  const auto N              = static_cast<Eigen::Index>(discretization.n_nodes);
+  WeakForms forms{Eigen::SparseMatrix<double>(N, N), Eigen::MatrixX3d::Zero(N, 3), Eigen::VectorXd::Zero(N)};
+
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<double> cell_mass(std::size_t(n) * n);
+  entries.reserve(discretization.n_cells * cell_mass.size());
+  PointWalk(discretization, positions)
+      .for_all_points(
+          [&](const std::size_t *const nodes, const unsigned int q, const double weight,
+              const SurfacePoint<double> &point)
+          {
+            const double dA = weight * point.jacobian;
+            for (unsigned int I = 0; I < n; ++I)
+            {
+              const auto row     = [&](const unsigned int slot) { return tables.tables[slot][std::size_t(q) * n + I]; };
+              const double value = row(0);
+              for (unsigned int J = 0; J < n; ++J)
+                cell_mass[I * n + J] += dA * value * tables.tables[0][std::size_t(q) * n + J];
+              for (unsigned int b = 0; b < 2; ++b)
+              {
+                const Vector3<double> at_node = (dA * row(1 + b)) * transposed_times(tables.map[1 + b], point.dual[b]);
+                for (unsigned int c = 0; c < 3; ++c)
+                  forms.laplacian(nodes[I], c) += at_node[c];
+              }
+              forms.gauss[nodes[I]] += dA * point.gauss_curvature * value;
+            }
+            if (q + 1 < tables.n_points)
+              return;
+            for (unsigned int I = 0; I < n; ++I)
+              for (unsigned int J = 0; J < n; ++J)
+                entries.emplace_back(nodes[I], nodes[J], cell_mass[I * n + J]);
+            std::fill(cell_mass.begin(), cell_mass.end(), 0.);
+          });
+  forms.mass.setFromTriplets(entries.begin(), entries.end());
+  return forms;
+}
+
+/** Nodes at which a vector may have component c. Admissible directions here are always coordinate axes. */
+std::vector<bool> free_nodes(const SurfaceDiscretization &discretization, const unsigned int c)
+{
+  std::vector<bool> result(discretization.n_nodes, true);
+  for (std::size_t I = 0; I < discretization.admissible.size(); ++I)
+  {
+    const AdmissibleDirections &d = discretization.admissible[I];
+    result[I] =
+        std::any_of(d.columns.begin(), d.columns.begin() + d.count,
+                    [&](const std::array<double, 3> &column)
+                    {
+                      PELLICLE_ASSERT(column[c] == 0. || column[c] == 1., "admissible directions are coordinate axes");
+                      return column[c] == 1.;
+                    });
+  }
+  return result;
+}
+
+using Factorization = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
+
+void factorize(Factorization &factorization, const Eigen::SparseMatrix<double> &mass)
+{
+  factorization.compute(mass);
+  if (factorization.info() != Eigen::Success)
+    throw SolveError("The curvature cannot be computed: the mass matrix of the surface is singular. A cell has "
+                     "collapsed; use a finer mesh or "
+                     "smaller steps.");
+}
+
+/** Solves for one component that must vanish at the other nodes: their rows and columns become those of the identity.
+ */
+Eigen::VectorXd solve_constrained(Eigen::SparseMatrix<double> mass, Eigen::VectorXd right_hand_side,
+                                  const std::vector<bool> &is_free)
+{
+  for (Eigen::Index j = 0; j < mass.outerSize(); ++j)
+  {
+    if (!is_free[j])
+      right_hand_side[j] = 0.;
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(mass, j); entry; ++entry)
+      if (!is_free[entry.row()] || !is_free[j])
+        entry.valueRef() = entry.row() == j ? 1. : 0.;
+  }
+  Factorization factorization;
+  factorize(factorization, mass);
+  return factorization.solve(right_hand_side);
+}
+} // namespace
+
+NodalCurvature nodal_curvature(const SurfaceDiscretization &discretization, const NodalVectors &positions)
+{
+  const std::size_t n_nodes = discretization.n_nodes;
+  const WeakForms forms     = assemble(discretization, positions);
+  Factorization factorization;
+  factorize(factorization, forms.mass);
+
+  NodalCurvature result;
+  result.curvature_vector.assign(3 * n_nodes, 0.);
+  for (unsigned int c = 0; c < 3; ++c)
+  {
+    const std::vector<bool> is_free = free_nodes(discretization, c);
+    if (std::none_of(is_free.begin(), is_free.end(), [](const bool node) { return node; }))
+      continue;
+    const bool all             = std::all_of(is_free.begin(), is_free.end(), [](const bool node) { return node; });
+    const Eigen::VectorXd load = forms.laplacian.col(c);
+    const Eigen::VectorXd h =
+        all ? Eigen::VectorXd(factorization.solve(load)) : solve_constrained(forms.mass, load, is_free);
+    for (std::size_t I = 0; I < n_nodes; ++I)
+      result.curvature_vector[3 * I + c] = h[I];
+  }
+
+  const NodalVectors normals = nodal_normals(discretization, positions);
+  result.mean_outward.assign(n_nodes, 0.);
+  for (std::size_t i = 0; i < 3 * n_nodes; ++i)
+    result.mean_outward[i / 3] += 0.5 * result.curvature_vector[i] * normals[i];
+
+  const Eigen::VectorXd K = factorization.solve(forms.gauss);
+  result.gauss.assign(K.data(), K.data() + K.size());
+  return result;
+}
+
+double integrated_mean_curvature(const SurfaceDiscretization &discretization, const NodalVectors &positions,
+                                 const NodalVectors &curvature_vector)
+{
+  const ShapeTables &tables = discretization.tables;
+  std::vector<double> h(std::size_t(tables.n_points) * 18);
+  double sum = 0.;
+  PointWalk(discretization, positions)
+      .for_all_points(
+          [&](const std::size_t *const nodes, const unsigned int q, const double weight,
+              const SurfacePoint<double> &point)
+          {
+            if (q == 0)
+              evaluate_field(tables, nodes, curvature_vector, 1, h.data());
+            const double *const at = &h[18 * q];
+            sum += 0.5 * weight * dot(Vector3<double>(at[0], at[1], at[2]), point.area_vector);
+          });
+  return sum;
+}
+} // namespace pellicle

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/exceptions.h>
+#include <pellicle/models/surface_model.h>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+namespace pellicle
+{
+namespace
+{
+// Divides by the scene's length and moves the centroid of the nodes to the origin (a meridian only along z), so that round-off knows neither
+// units nor place.
+std::array<double, 3> normalise(SurfaceDiscretization &discretization, const double length)
+{
+  std::array<double, 3> centre{};
+  const bool            meridian = discretization.kind == SurfaceDiscretization::Kind::meridian;
+  for (unsigned int c = meridian ? 2 : 0; c < 3; ++c)
+  {
+    if (discretization.mirror)
+      continue;
+    for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+      centre[c] += discretization.positions[3 * I + c] / static_cast<double>(discretization.n_nodes);
+  }
+  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+    for (unsigned int c = 0; c < 3; ++c)
+      discretization.positions[3 * I + c] = (discretization.positions[3 * I + c] - centre[c]) / length;
+  return centre;
+}
+} // namespace
+
+SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &communicator, Timing &timing)
+    : newton(scene.newton), unit(scene.scales()), communicator(communicator), timing(timing),
+      discretization(make_start_shape(scene.start_shape()))
+{
+  centroid = normalise(discretization, unit.length);
+  add_node_noise(scene.vesicle);
+  set_blas_threads(newton.threads);
+  problem = std::make_unique<SurfaceProblem>(discretization, scene.potentials(unit), communicator, newton.linear_solver, timing);
+  solver  = make_linear_solver(newton.linear_solver);
+  check_constraints_are_independent();
+}
+
+void SurfaceModel::add_node_noise(const VesicleParameters &vesicle)
+{
+  if (vesicle.node_noise == 0.)
+    return;
+  double area = 0.;
+  for (const double a : nodal_areas(discretization, discretization.positions))
+    area += a;
+  const bool   meridian = discretization.kind == SurfaceDiscretization::Kind::meridian;
+  const double spacing  = meridian ? std::sqrt(area) / static_cast<double>(discretization.n_nodes)
+                                   : std::sqrt(area / static_cast<double>(discretization.n_nodes));
+  std::mt19937 random(static_cast<std::uint32_t>(vesicle.random_seed));
+  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+  {
+    // The raw generator is the same everywhere, the standard distributions are not.
+    Vector3<double> noise;
+    for (unsigned int c = 0; c < 3; ++c)
+      noise[c] = vesicle.node_noise * spacing * (2. * (random() / 4294967296.) - 1.);
+    const AdmissibleDirections directions = discretization.admissible.empty() ? AdmissibleDirections{} : discretization.admissible[I];
+    for (unsigned int j = 0; j < directions.count; ++j)
+    {
+      const Vector3<double> e(directions.columns[j][0], directions.columns[j][1], directions.columns[j][2]);
+      for (unsigned int c = 0; c < 3; ++c)
+        discretization.positions[3 * I + c] += dot(noise, e) * e[c];
+    }
+  }
+}
+
+// On a sphere dA = (2/R) dV: the two rows of the border would be multiples of each other.
+void SurfaceModel::check_constraints_are_independent()
+{
+  constexpr double smallest_sine_squared = 1e-6;
+  const auto      &constraints           = problem->potentials().constraints;
+  std::vector<std::size_t> hard;
+  for (std::size_t k = 0; k < constraints.size(); ++k)
+    if (!std::isfinite(constraints[k].stiffness))
+      hard.push_back(k);
+  if (hard.size() < 2)
+    return;
+  problem->use_chart(PositionChart::graph, discretization.positions);
+  problem->linearize();
+  for (std::size_t a = 0; a < hard.size(); ++a)
+    for (std::size_t b = a + 1; b < hard.size(); ++b)
+    {
+      const std::vector<double> &ga = problem->constraint_gradient(hard[a]), &gb = problem->constraint_gradient(hard[b]);
+      double                     aa = 0., ab = 0., bb = 0.;
+      for (std::size_t i = 0; i < ga.size(); ++i)
+      {
+        aa += ga[i] * ga[i];
+        ab += ga[i] * gb[i];
+        bb += gb[i] * gb[i];
+      }
+      if (1. - ab * ab / (aa * bb) < smallest_sine_squared)
+        throw UserError("The start shape is a sphere: " + constraints[hard[a]].measure->name() + " and " + constraints[hard[b]].measure->name() +
+                        " have parallel gradients there, so their multipliers are not determined. Start slightly off the sphere, for example with "
+                        "Vesicle/Start shape = prolate or ellipsoid with Semi axes = 1, 1, 1.02, or drop one of the two constraints.");
+    }
+}
+
+void SurfaceModel::update(const SurfaceScene &scene)
+{
+  newton = scene.newton;
+  problem->set_potentials(scene.potentials(unit));
+}
+
+StepResult SurfaceModel::solve(const int step, Observer &observer)
+{
+  StepResult         result;
+  const SurfaceState before    = problem->state();
+  const NodalVectors reference = before.fields[0];
+  const auto         iterate   = [&](const PositionChart chart) {
+    problem->use_chart(chart, reference);
+    Newton             method(newton, *solver, timing);
+    const NewtonResult outcome = method.solve(*problem, step, observer, result.iterations);
+    result.iterations += outcome.iterations;
+    result.rejected += outcome.rejected;
+    return outcome;
+  };
+
+  if (newton.chart != "ale")
+  {
+    const NewtonResult graph = iterate(PositionChart::graph);
+    result.converged         = graph.converged;
+    result.relative_residual = graph.relative_residual;
+    result.failure           = graph.failure;
+    if (!graph.converged)
+    {
+      problem->set_state(before);
+      return result;
+    }
+  }
+  if (newton.chart != "graph")
+  {
+    const SurfaceState polished_from = problem->state();
+    const NewtonResult ale           = iterate(PositionChart::ale);
+    if (ale.converged)
+    {
+      result.converged         = true;
+      result.relative_residual = ale.relative_residual;
+    }
+    else if (newton.chart == "ale")
+    {
+      result.failure = ale.failure;
+      problem->set_state(before);
+    }
+    else
+    {
+      result.warnings.push_back("The polishing in the ALE chart did not converge (" + ale.failure +
+                                "): the equilibrium in the normal-graph chart is reported. More cells or load steps help.");
+      problem->set_state(polished_from);
+    }
+  }
+  return result;
+}
+
+std::optional<int> SurfaceModel::negative_eigenvalues()
+{
+  problem->use_chart(PositionChart::graph, problem->state().fields[0]);
+  problem->linearize();
+  solver->factorize(problem->matrix());
+  if (const std::optional<Inertia> inertia = solver->inertia())
+    return inertia->negative - problem->expected_negative_pivots();
+  return std::nullopt;
+}
+
+std::vector<std::pair<std::string, std::size_t>> SurfaceModel::unknown_counts() const
+{
+  const Numbering                                 &numbering = problem->numbering();
+  std::vector<std::pair<std::string, std::size_t>> counts;
+  for (std::size_t f = 0; f < problem->layout().fields().size(); ++f)
+    counts.emplace_back(problem->layout().fields()[f].name, numbering.n_unknowns_of(f));
+  if (numbering.n_constraints > 0)
+    counts.emplace_back("multipliers", numbering.n_constraints);
+  if (numbering.n_rigid > 0)
+    counts.emplace_back("rigid motions", numbering.n_rigid);
+  return counts;
+}
+} // namespace pellicle

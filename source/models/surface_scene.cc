@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/models/surface_scene.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pellicle
+{
+namespace
+{
+constexpr double pi = 3.141592653589793238462643;
+}
+
+void MeshParameters::bind(ParameterSection &section)
+{
+  section.integer("Degree", degree, 2, 5, "Polynomial degree k of position and moment. Curvature converges at order k, energies at order 2k.");
+  section.integer("Refinements", refinements, 0, 8,
+                  "Refinements r of the coarsest mesh: a closed surface has 6 * 4^r cells, a meridian 4 * 2^r from pole to pole.");
+  section.choice("Symmetry", symmetry, {"none", "axial", "axial mirror"},
+                 "none: a surface in space. axial: a meridian, revolved about the z axis. axial mirror: its upper half, mirrored at z = 0.");
+  section.word("File", file, "Gmsh MSH 4.1 file with quadrilaterals or triangles, for Vesicle/Start shape = file. Relative to the scene file.");
+}
+
+void VesicleParameters::bind(ParameterSection &section)
+{
+  section.number("Area", area, Range::positive(), dimensions::area, "Area A of the membrane; the start shape is scaled to it. It sets the unit of length.");
+  section.number("Reduced volume", reduced_volume, {0., 1., true, false, false}, dimensions::none,
+                 "Reduced volume v = 3 V/(4 pi (A/4 pi)^1.5) in (0, 1]: makes the start shapes prolate, oblate and stomatocyte, and is the target of the volume constraint.");
+  section.choice("Start shape", start_shape, start_shape_names(),
+                 "Shape at the start, scaled to Area: spheroids and stomatocyte of the given reduced volume, ellipsoid (Semi axes), biconcave, torus (Torus ratio), file (Mesh/File).");
+  section.numbers("Semi axes", semi_axes, Range::positive(), dimensions::none, "Ratio of the three semi axes of the start shape `ellipsoid`.");
+  section.number("Torus ratio", torus_ratio, {1., 1e6, true, false, false}, dimensions::none, "R/r of the start shape `torus`.");
+  section.number("Node noise", node_noise, Range::between(0., 0.5), dimensions::none,
+                 "Random displacement of the nodes of the start shape, uniform in [-f, f] times the node spacing in each component.");
+  section.integer("Random seed", random_seed, 0, 2147483647, "Seed of the node noise.");
+}
+
+void OutputParameters::bind(ParameterSection &section)
+{
+  section.flag("Solution", solution, "Write solution_NNNN.vtu (high-order cells with curvatures) after each step, and solution.pvd.");
+  section.flag("Picture", picture, "Draw picture.png of the final surface, coloured by mean curvature, if the renderer is installed.");
+}
+
+std::vector<ParameterSection> SurfaceScene::sections()
+{
+  std::vector<ParameterSection> all;
+  const auto                    add = [&](const std::string &name, auto &parameters) {
+    all.emplace_back(name);
+    parameters.bind(all.back());
+  };
+  add("Mesh", mesh);
+  add("Vesicle", vesicle);
+  for (const auto &effect : effects)
+    add(section_name(effect->name()), *effect);
+  add("Load", load);
+  add("Newton", newton);
+  add("Output", output);
+  return all;
+}
+
+bool SurfaceScene::has_effect(const std::string &name) const
+{
+  return std::any_of(effects.begin(), effects.end(), [&](const auto &effect) { return effect->name() == name; });
+}
+
+bool SurfaceScene::has_analysis(const std::string &name) const
+{
+  return std::find(analyses.begin(), analyses.end(), name) != analyses.end();
+}
+
+void SurfaceScene::check() const
+{
+  for (const auto &effect : effects)
+    effect->check();
+  if (vesicle.semi_axes.size() != 3)
+    throw UserError("Section Vesicle: 'Semi axes' has " + std::to_string(vesicle.semi_axes.size()) + " numbers, three are needed, for example 1, 1, 1.2.");
+  if (vesicle.start_shape == "file" && mesh.file.empty())
+    throw UserError("Vesicle/Start shape is 'file', but Mesh/File names no file.");
+  if (vesicle.start_shape != "file" && !mesh.file.empty())
+    throw UserError("Mesh/File is '" + mesh.file + "', but Vesicle/Start shape is '" + vesicle.start_shape + "': set it to 'file', or remove Mesh/File.");
+  if (load.parameter.empty() && !(load.from.empty() && load.to.empty()))
+    throw UserError("Section Load: 'From' or 'To' is set, but 'Parameter' names no parameter.");
+  if (!load.parameter.empty() && load.to.empty())
+    throw UserError("Section Load: 'Parameter' is '" + load.parameter + "', but 'To' gives no value.");
+  if (load.parameter.rfind("Mesh/", 0) == 0 || load.parameter.rfind("Newton/", 0) == 0 || load.parameter.rfind("Output/", 0) == 0 ||
+      load.parameter.rfind("Load/", 0) == 0 || load.parameter == "Vesicle/Area")
+    throw UserError("Load/Parameter = " + load.parameter + " cannot change during a run: it shapes the mesh, the scale or the run itself.");
+  const PotentialSet set = potentials(Scales{});
+  if (set.energies.empty())
+    throw UserError("The list Effects holds no energy: nothing determines the shape. List 'helfrich bending' or 'surface tension'.");
+}
+
+Scales SurfaceScene::scales() const
+{
+  Scales scales;
+  scales.length          = std::sqrt(vesicle.area / (4. * pi));
+  double largest         = 0.;
+  for (const auto &effect : effects)
+    if (const std::optional<double> energy = effect->typical_energy(scales.length))
+      largest = std::max(largest, *energy);
+  scales.energy = largest > 0. ? largest : 1.;
+  return scales;
+}
+
+double SurfaceScene::target_volume() const
+{
+  return vesicle.reduced_volume * 4. * pi / 3. * std::pow(vesicle.area / (4. * pi), 1.5);
+}
+
+StartShape SurfaceScene::start_shape() const
+{
+  StartShape shape;
+  shape.name           = vesicle.start_shape;
+  shape.area           = vesicle.area;
+  shape.reduced_volume = vesicle.reduced_volume;
+  shape.semi_axes      = {{vesicle.semi_axes[0], vesicle.semi_axes[1], vesicle.semi_axes[2]}};
+  shape.torus_ratio    = vesicle.torus_ratio;
+  shape.file           = mesh.file;
+  shape.degree         = static_cast<unsigned int>(mesh.degree);
+  shape.refinements    = static_cast<unsigned int>(mesh.refinements);
+  shape.axial          = mesh.symmetry != "none";
+  shape.mirror         = mesh.symmetry == "axial mirror";
+  return shape;
+}
+
+PotentialSet SurfaceScene::potentials(const Scales &scales) const
+{
+  const SceneTargets targets{vesicle.area / scales.of(dimensions::area), target_volume() / scales.of(dimensions::volume)};
+  PotentialSet       set;
+  for (const auto &effect : effects)
+    effect->contribute(scales, targets, set);
+  return set;
+}
+
+SurfaceScene make_surface_scene(const EffectLibrary &library, const std::vector<std::string> &effects, const std::vector<std::string> &analyses)
+{
+  SurfaceScene scene;
+  for (const std::string &name : effects)
+    scene.effects.push_back(library.create(name));
+  scene.analyses = analyses;
+  return scene;
+}
+
+const std::vector<std::string> &analysis_names()
+{
+  static const std::vector<std::string> names{"stability"};
+  return names;
+}
+} // namespace pellicle

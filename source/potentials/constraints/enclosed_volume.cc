@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/potentials/constraints/enclosed_volume.h>
+#include <pellicle/potentials/density_potential.h>
+
+namespace pellicle
+{
+void VolumeConstraintParameters::bind(ParameterSection &section)
+{
+  section.number("Stiffness", stiffness, Range::positive().or_infinite(), {1, -6},
+                 "Stiffness c of the penalty energy (c/2)(V - V0)^2, V0 from Vesicle/Reduced volume. inf: the volume is held exactly by a "
+                 "Lagrange multiplier. Either way the pressure P = c (V0 - V), inside minus outside, is reported.");
+}
+
+const std::string &VolumeConstraintEffect::name() const
+{
+  static const std::string text = "volume constraint";
+  return text;
+}
+
+std::string VolumeConstraintEffect::description() const
+{
+  return "Holds the volume at the one of Vesicle/Reduced volume; its multiplier is the pressure P in E - P (V - V0).";
+}
+
+void VolumeConstraintEffect::contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const
+{
+  Constraint volume;
+  volume.measure         = std::make_shared<DensityPotential<EnclosedVolume>>(name(), EnclosedVolume{});
+  volume.target          = targets.volume;
+  volume.stiffness       = scaled(parameters, scales).stiffness;
+  volume.quantity        = "volume";
+  volume.multiplier      = "pressure";
+  volume.multiplier_sign = -1.;
+  volume.dimension       = dimensions::volume;
+  set.constraints.push_back(volume);
+}
+} // namespace pellicle

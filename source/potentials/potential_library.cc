@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/potentials/constraints/enclosed_volume.h>
+#include <pellicle/potentials/constraints/total_area.h>
+#include <pellicle/potentials/energies/helfrich_bending.h>
+#include <pellicle/potentials/energies/pressure.h>
+#include <pellicle/potentials/energies/surface_tension.h>
+#include <pellicle/potentials/potential_library.h>
+
+#include <cctype>
+
+namespace pellicle
+{
+EffectLibrary standard_effects()
+{
+  EffectLibrary library("effect");
+  library.add("helfrich bending", [] { return std::make_unique<HelfrichBendingEffect>(); });
+  library.add("area constraint", [] { return std::make_unique<AreaConstraintEffect>(); });
+  library.add("volume constraint", [] { return std::make_unique<VolumeConstraintEffect>(); });
+  library.add("surface tension", [] { return std::make_unique<SurfaceTensionEffect>(); });
+  library.add("pressure", [] { return std::make_unique<PressureEffect>(); });
+  return library;
+}
+
+std::string section_name(const std::string &effect_name)
+{
+  std::string name = effect_name;
+  if (!name.empty())
+    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  return name;
+}
+} // namespace pellicle

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/solvers/load_stepping.h>
+
+#include <algorithm>
+
+namespace pellicle
+{
+void LoadParameters::bind(ParameterSection &section)
+{
+  section.word("Parameter", parameter, "Parameter of the scene that changes in steps, as Section/Name, for example Vesicle/Reduced volume. Empty: one solve.");
+  section.word("From", from, "Its value at the first solve, a number or expression in the parameter's unit. Empty: the scene's own value.");
+  section.word("To", to, "Its value at the last solve.");
+  section.integer("Steps", steps, 1, 100000, "Number of equal steps to begin with. A step that fails is halved; after a success the next one may grow.");
+  section.number("Smallest step", smallest_step, Range::between(1e-12, 1.), dimensions::none,
+                 "Smallest step, as a fraction of the whole way, before the run gives up.");
+}
+
+double walk_load(const LoadParameters &parameters, const std::function<bool(double t)> &attempt)
+{
+  if (!attempt(0.))
+    return -1.;
+  const double first = 1. / parameters.steps;
+  double       step = first, t = 0.;
+  while (t < 1.)
+  {
+    // The last step ends at 1 exactly, and no sliver is left behind.
+    const double next = t + step > 1. - 0.01 * first ? 1. : t + step;
+    if (attempt(next))
+    {
+      t    = next;
+      step = std::min(1.5 * step, 4. * first);
+    }
+    else
+    {
+      step *= 0.5;
+      if (step < parameters.smallest_step)
+        return t;
+    }
+  }
+  return 1.;
+}
+} // namespace pellicle

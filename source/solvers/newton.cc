@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/solvers/newton.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pellicle
+{
+namespace
+{
+// Measured on vesicles in internal units (energy kappa, length sqrt(A/4 pi)); see doc/numerics.md.
+constexpr double first_drag             = 10.;   // when undamped Newton is rejected
+constexpr double smallest_drag          = 1e-2;  // below it Newton is undamped again
+constexpr double largest_drag           = 1e12;  // beyond it no step is left
+constexpr double round_off_of_merit     = 1e-9;  // relative: predicted changes below it are accepted untested
+constexpr double near_equilibrium       = 1e-4;  // relative predicted change below which negative pivots are tolerated
+constexpr double sufficient_decrease    = 1e-4;  // Armijo
+constexpr double shortest_step          = 0.1;
+constexpr double constraint_tolerance   = 1e-11; // relative
+constexpr double stagnation_displacement = 1e-8; // relative displacement that counts as round-off if the residual is small too
+constexpr double stagnation_residual    = 1e-6;
+} // namespace
+
+void NewtonParameters::bind(ParameterSection &section)
+{
+  section.integer("Maximum iterations", max_iterations, 1, 10000, "Accepted Newton iterations per chart and load step before giving up.");
+  section.number("Tolerance", tolerance, Range::between(1e-14, 1e-2), dimensions::none,
+                 "Norm of the residual relative to the norm of the summed absolute contributions of the cells at which a state counts as "
+                 "an equilibrium. Fine meshes reach round-off near 1e-11; a step that no longer moves the nodes ends the iteration as well.");
+  section.number("Initial drag", initial_drag, Range::non_negative(), dimensions::none,
+                 "Levenberg-Marquardt drag zeta in (zeta/2)|x - x_n|^2 at the start, in units kappa/R^4, R = sqrt(A/4 pi). 0: undamped Newton first; "
+                 "drag is added when a step is rejected. 1000 suits very bad start shapes.");
+  section.number("Step limit", step_limit, Range::positive(), dimensions::none,
+                 "Largest displacement of a node in one iteration, relative to R = sqrt(A/4 pi).");
+  section.choice("Chart", chart, {"graph then ale", "graph", "ale"},
+                 "Unknowns of the position. graph: displacement along the nodal normals (symmetric, robust). ale: all components, tangential ones fixed "
+                 "by a mesh energy (better meshes, more accurate). graph then ale: the first to globalise, the second to polish.");
+  section.choice("Linear solver", linear_solver, linear_solver_names(),
+                 "Direct solver: mumps (LDL^T with inertia, MPI) or umfpack (LU, one process).");
+  section.integer("Threads", threads, 1, 256, "Threads of the BLAS in factorisations.");
+}
+
+Newton::Newton(const NewtonParameters &parameters, LinearSolver &solver, Timing &timing)
+    : parameters(parameters), solver(solver), timing(timing)
+{}
+
+NewtonResult Newton::solve(EquilibriumProblem &problem, const int step, Observer &observer, const int iterations_before)
+{
+  NewtonResult result;
+  drag                   = problem.is_variational() ? parameters.initial_drag : 0.;
+  double    last_move    = std::numeric_limits<double>::infinity();
+  double    first_residual = 0.;
+  IterationReport report;
+  report.step = step;
+  for (;;)
+  {
+    const double start = timing.total();
+    problem.linearize();
+    result.relative_residual = problem.relative_residual();
+    if (result.iterations == 0)
+      first_residual = result.relative_residual;
+    else
+    {
+      report.relative_residual = result.relative_residual;
+      report.energy            = problem.energy();
+      observer.on_iteration(report);
+    }
+    const bool balanced = problem.constraint_violation() < constraint_tolerance;
+    const bool at_round_off = last_move < stagnation_displacement && result.relative_residual < stagnation_residual;
+    if (balanced && (result.relative_residual < parameters.tolerance || at_round_off))
+    {
+      result.converged = true;
+      return result;
+    }
+    if (!std::isfinite(result.relative_residual) ||
+        (!problem.is_variational() && result.relative_residual > 1e3 * std::max(first_residual, 1e-3)))
+    {
+      result.failure = "the residual grows";
+      return result;
+    }
+    if (result.iterations == parameters.max_iterations)
+    {
+      result.failure = "not converged in " + std::to_string(parameters.max_iterations) + " iterations (Newton/Maximum iterations)";
+      return result;
+    }
+    report.iteration = iterations_before + result.iterations + 1;
+    report.rejected  = 0;
+    if (!advance(problem, result, report))
+      return result;
+    ++result.iterations;
+    result.rejected += report.rejected;
+    last_move      = report.step_length;
+    report.seconds = timing.total() - start;
+  }
+}
+
+bool Newton::advance(EquilibriumProblem &problem, NewtonResult &result, IterationReport &report)
+{
+  double              drag_in_matrix = 0.;
+  std::vector<double> direction;
+  for (;; ++report.rejected)
+  {
+    // Step 1: direction
+    if (drag > drag_in_matrix)
+    {
+      problem.add_drag(drag - drag_in_matrix);
+      drag_in_matrix = drag;
+    }
+    {
+      const Timing::Scope scope(timing, "linear solve");
+      solver.factorize(problem.matrix());
+      direction = problem.residual();
+      for (double &d : direction)
+        d = -d;
+      solver.solve(direction);
+    }
+    const std::optional<Inertia> inertia = solver.inertia();
+    if (drag_in_matrix == 0.)
+      result.inertia = inertia;
+    const double displacement = problem.displacement(direction);
+    if (!std::isfinite(displacement))
+    {
+      result.failure = "the linear system has no finite solution";
+      return false;
+    }
+
+    // Step 2: without a merit, go as far as the trust region allows
+    if (!problem.is_variational())
+    {
+      const double length = std::min(1., parameters.step_limit / displacement);
+      problem.try_step(direction, length);
+      problem.accept_trial();
+      report.step_length = length * displacement;
+      return true;
+    }
+
+    // Step 3: is the direction one of descent, towards a minimum, and within the trust region?
+    const double slope       = problem.merit_slope(direction), merit = problem.merit(direction);
+    const double scale       = 1. + std::abs(merit);
+    const bool   significant = std::abs(slope) > round_off_of_merit * scale;
+    const bool   saddle      = inertia && inertia->negative > problem.expected_negative_pivots() && std::abs(slope) > near_equilibrium * scale;
+    if (!(significant && (slope >= 0. || saddle || displacement > parameters.step_limit)))
+    {
+      // Step 4: backtracking
+      for (double length = 1.; length > shortest_step; length *= 0.5)
+      {
+        const double trial = problem.try_step(direction, length);
+        if (!std::isfinite(trial) || (significant && trial > merit + sufficient_decrease * length * slope))
+          continue;
+        problem.accept_trial();
+        report.step_length = length * displacement;
+        if (length == 1.)
+          drag = 0.1 * drag < smallest_drag ? 0. : 0.1 * drag;
+        return true;
+      }
+    }
+    drag = std::max(10. * drag, first_drag);
+    if (drag > largest_drag)
+    {
+      result.failure = "no step lowers the energy, however short";
+      return false;
+    }
+  }
+}
+} // namespace pellicle

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Tests that run over every listed effect by its being listed: derivatives to second order, symmetry, rigid motions, reparametrisation.
+#include <pellicle/potentials/energies/mesh_distortion.h>
+#include <pellicle/potentials/potential_library.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace pellicle;
+
+struct ListedPotential
+{
+  std::string                      name;
+  std::shared_ptr<const Potential> potential;
+};
+
+// Every energy and constraint of every effect, with parameters away from special values, and the mesh energy.
+std::vector<ListedPotential> listed_potentials()
+{
+  const EffectLibrary          library = standard_effects();
+  std::vector<ListedPotential> all;
+  for (const std::string &name : library.names())
+  {
+    const std::unique_ptr<Effect> effect = library.create(name);
+    ParameterSection              section(section_name(name));
+    effect->bind(section);
+    double value = 0.7;
+    for (const ParameterSection::Entry &entry : section.entries())
+      if (const auto number = std::get_if<double *>(&entry.target))
+        **number = (value += 0.4);
+    PotentialSet set;
+    effect->contribute(Scales{}, SceneTargets{12., 4.}, set);
+    EXPECT_FALSE(set.energies.empty() && set.constraints.empty()) << name;
+    for (const auto &energy : set.energies)
+      all.push_back({name, energy});
+    for (const Constraint &constraint : set.constraints)
+      all.push_back({name, constraint.measure});
+  }
+  all.push_back({"mesh distortion", make_mesh_distortion({{1.3, 0.2, 0.9}})});
+  return all;
+}
+
+// One random point: inputs with well separated base vectors, and the potential's offsets.
+struct Point
+{
+  std::vector<unsigned int> offsets;
+  unsigned int              n_inputs = 0;
+  std::vector<double>       inputs;
+
+  Point(const Potential &potential, std::mt19937 &random)
+  {
+    std::uniform_real_distribution<double> uniform(-0.3, 0.3);
+    for (const FieldUse &use : potential.fields())
+    {
+      offsets.push_back(n_inputs);
+      n_inputs += 3 * n_slots(use.derivatives);
+    }
+    for (unsigned int i = 0; i < n_inputs; ++i)
+      inputs.push_back(uniform(random));
+    for (const unsigned int offset : offsets)
+    {
+      inputs[offset + 3] += 1.; // ,1 near e_x
+      inputs[offset + 7] += 1.; // ,2 near e_y
+    }
+  }
+};
+
+PointSums derivatives(const Potential &potential, const Point &point, const std::vector<double> &inputs, const Order order)
+{
+  PointSums sums;
+  sums.reset(1, point.n_inputs, order);
+  potential.add({0, 1, point.n_inputs, inputs.data()}, point.offsets.data(), 1., order, sums);
+  return sums;
+}
+
+TEST(PotentialLibrary, DerivativesAgreeWithCentralDifferencesToSecondOrder)
+{
+  std::mt19937 random(7);
+  for (const ListedPotential &listed : listed_potentials())
+  {
+    const Point         point(*listed.potential, random);
+    const PointSums     at = derivatives(*listed.potential, point, point.inputs, Order::hessian);
+    std::vector<double> direction(point.n_inputs);
+    for (double &d : direction)
+      d = std::uniform_real_distribution<double>(-1., 1.)(random);
+    // The error of a central difference falls by four when the step is halved, so it is a sign or factor that is wrong if it does not.
+    double previous_value = 0., previous_gradient = 0.;
+    for (int level = 0; level < 2; ++level)
+    {
+      const double        h = level == 0 ? 2e-2 : 1e-2;
+      std::vector<double> plus = point.inputs, minus = point.inputs;
+      for (unsigned int i = 0; i < point.n_inputs; ++i)
+      {
+        plus[i] += h * direction[i];
+        minus[i] -= h * direction[i];
+      }
+      const PointSums up = derivatives(*listed.potential, point, plus, Order::gradient),
+                      down = derivatives(*listed.potential, point, minus, Order::gradient);
+      double slope = 0., error_gradient = 0.;
+      for (unsigned int i = 0; i < point.n_inputs; ++i)
+      {
+        slope += at.gradient[i] * direction[i];
+        double curvature = 0.;
+        for (unsigned int j = 0; j < point.n_inputs; ++j)
+          curvature += at.hessian[i * point.n_inputs + j] * direction[j];
+        error_gradient = std::max(error_gradient, std::abs((up.gradient[i] - down.gradient[i]) / (2. * h) - curvature));
+      }
+      const double error_value = std::abs((up.value[0] - down.value[0]) / (2. * h) - slope);
+      if (level == 1)
+      {
+        EXPECT_LT(error_value, 0.3 * previous_value + 1e-10) << listed.name;
+        EXPECT_LT(error_gradient, 0.3 * previous_gradient + 1e-10) << listed.name;
+        EXPECT_LT(error_value, 1e-2) << listed.name;
+      }
+      previous_value    = error_value;
+      previous_gradient = error_gradient;
+    }
+  }
+}
+
+TEST(PotentialLibrary, HessiansAreSymmetric)
+{
+  std::mt19937 random(11);
+  for (const ListedPotential &listed : listed_potentials())
+  {
+    const Point     point(*listed.potential, random);
+    const PointSums at = derivatives(*listed.potential, point, point.inputs, Order::hessian);
+    double          largest = 0.;
+    for (const double h : at.hessian)
+      largest = std::max(largest, std::abs(h));
+    for (unsigned int i = 0; i < point.n_inputs; ++i)
+      for (unsigned int j = 0; j < i; ++j)
+        EXPECT_NEAR(at.hessian[i * point.n_inputs + j], at.hessian[j * point.n_inputs + i], 1e-13 * largest) << listed.name;
+  }
+}
+
+TEST(PotentialLibrary, GradientOnlyEqualsGradientOfHessianCall)
+{
+  std::mt19937 random(13);
+  for (const ListedPotential &listed : listed_potentials())
+  {
+    const Point     point(*listed.potential, random);
+    const PointSums full = derivatives(*listed.potential, point, point.inputs, Order::hessian),
+                    half = derivatives(*listed.potential, point, point.inputs, Order::gradient),
+                    none = derivatives(*listed.potential, point, point.inputs, Order::value);
+    EXPECT_NEAR(full.value[0], none.value[0], 1e-14 * std::abs(none.value[0])) << listed.name;
+    for (unsigned int i = 0; i < point.n_inputs; ++i)
+      EXPECT_NEAR(full.gradient[i], half.gradient[i], 1e-13) << listed.name;
+  }
+}
+
+// Rotation by a random unit quaternion, about the origin: densities of closed surfaces that read the position itself (volume) are invariant under
+// translation only as integrals, which the assembly tests cover.
+TEST(PotentialLibrary, DensitiesAreInvariantUnderRotation)
+{
+  std::mt19937 random(17);
+  const double a = 0.3, b = 0.5, c = 0.1, d = std::sqrt(1. - a * a - b * b - c * c);
+  const double R[3][3] = {{a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)},
+                          {2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)},
+                          {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d}};
+  for (const ListedPotential &listed : listed_potentials())
+  {
+    const Point         point(*listed.potential, random);
+    std::vector<double> rotated(point.n_inputs);
+    for (unsigned int k = 0; k < point.n_inputs; k += 3)
+      for (unsigned int i = 0; i < 3; ++i)
+        rotated[k + i] = R[i][0] * point.inputs[k] + R[i][1] * point.inputs[k + 1] + R[i][2] * point.inputs[k + 2];
+    const double before = derivatives(*listed.potential, point, point.inputs, Order::value).value[0];
+    EXPECT_NEAR(derivatives(*listed.potential, point, rotated, Order::value).value[0], before, 1e-13 * (1. + std::abs(before))) << listed.name;
+  }
+}
+
+// Under a linear change of parameters xi = B xi' a density per parametric area must change by det B if the integral is invariant, and only then.
+TEST(PotentialLibrary, ReparametrisationInvarianceIsAsDeclared)
+{
+  std::mt19937 random(19);
+  const double B[2][2] = {{1.2, 0.3}, {-0.2, 0.9}}, det = B[0][0] * B[1][1] - B[0][1] * B[1][0];
+  for (const ListedPotential &listed : listed_potentials())
+  {
+    const Point         point(*listed.potential, random);
+    std::vector<double> changed = point.inputs;
+    for (const unsigned int offset : point.offsets)
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int s = 0; s < 2; ++s)
+          changed[offset + 3 * (1 + s) + c] = point.inputs[offset + 3 + c] * B[0][s] + point.inputs[offset + 6 + c] * B[1][s];
+    const double before = derivatives(*listed.potential, point, point.inputs, Order::value).value[0];
+    const double after  = derivatives(*listed.potential, point, changed, Order::value).value[0];
+    if (listed.potential->reparametrisation_invariant())
+      EXPECT_NEAR(after, det * before, 1e-13 * (1. + std::abs(before))) << listed.name;
+    else
+      EXPECT_GT(std::abs(after - det * before), 1e-6) << listed.name;
+  }
+}
+
+TEST(PotentialLibrary, UnknownEffectsAreAnsweredWithNearMatches)
+{
+  try
+  {
+    standard_effects().create("helfrich bendin");
+    FAIL() << "no exception";
+  }
+  catch (const UserError &error)
+  {
+    EXPECT_NE(std::string(error.what()).find("helfrich bending"), std::string::npos) << error.what();
+  }
+}
+} // namespace
