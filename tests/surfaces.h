@@ -127,13 +127,19 @@ struct Sample
   }
 };
 
+/**
+ * The surface at (u, v). Its own parameters are mostly lines of curvature (a_12 = b_12 = 0); with a shear p, q the
+ * parameters are (u + u1 + p u2, v + q u1 + u2), at which nothing vanishes by symmetry.
+ */
 template <typename Surface>
-Sample sample(const Surface &surface, const double u, const double v)
+Sample sample(const Surface &surface, const double u, const double v, const double p = 0., const double q = 0.)
 {
-  const auto inputs   = seed<SecondOrder<2>>({{u, v}});
-  const auto position = surface.position(inputs[0], inputs[1]);
-  Sample s{surface.name, {}, {}, {}, surface.J(u, v), surface.H(u, v), surface.K(u, v)};
-  s.name += " at (" + std::to_string(u) + ", " + std::to_string(v) + ")";
+  const auto parameters          = seed<SecondOrder<2>>({{0., 0.}});
+  const SecondOrder<2> sheared_u = u + parameters[0] + p * parameters[1],
+                       sheared_v = v + q * parameters[0] + parameters[1];
+  const auto position            = surface.position(sheared_u, sheared_v);
+  Sample s{surface.name, {}, {}, {}, (1. - p * q) * surface.J(u, v), surface.H(u, v), surface.K(u, v)};
+  s.name += " at (" + std::to_string(u) + ", " + std::to_string(v) + (p != 0. || q != 0. ? "), sheared" : ")");
   for (unsigned int i = 0; i < 3; ++i)
   {
     const auto first  = gradient_of(position[i]);
@@ -148,18 +154,19 @@ Sample sample(const Surface &surface, const double u, const double v)
   return s;
 }
 
-/** A few generic points of every surface above. */
+/** A few generic points of every surface above, in its own and in sheared parameters. */
 inline std::vector<Sample> samples()
 {
   std::vector<Sample> all;
   for (const auto &[u, v] : {std::array<double, 2>{{0.4, 0.3}}, {{1.1, -0.7}}, {{2.2, 1.3}}, {{0.9, 2.6}}})
-  {
-    all.push_back(sample(Sphere(), u, v));
-    all.push_back(sample(Torus(), u, v));
-    all.push_back(sample(Ellipsoid(), u, v));
-    all.push_back(sample(Catenoid(), u, v));
-    all.push_back(sample(Paraboloid(), u, v));
-  }
+    for (const auto &[p, q] : {std::array<double, 2>{{0., 0.}}, {{0.3, -0.2}}})
+    {
+      all.push_back(sample(Sphere(), u, v, p, q));
+      all.push_back(sample(Torus(), u, v, p, q));
+      all.push_back(sample(Ellipsoid(), u, v, p, q));
+      all.push_back(sample(Catenoid(), u, v, p, q));
+      all.push_back(sample(Paraboloid(), u, v, p, q));
+    }
   return all;
 }
 } // namespace pellicle::test_surfaces

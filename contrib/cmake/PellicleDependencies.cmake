@@ -25,6 +25,8 @@ if(NOT TARGET pellicle_dealii)
     list(GET DEAL_II_LIBRARIES_RELEASE 0 _dealii_library)
   endif()
   find_library(PELLICLE_TBB tbb REQUIRED)
+  # Inline functions of deal.II's headers refer to libraries (Teuchos, the MPI C++ bindings) that only deal.II itself names as needed.
+  set_property(TARGET pellicle_dealii PROPERTY INTERFACE_LINK_OPTIONS "LINKER:--copy-dt-needed-entries")
   set_property(TARGET pellicle_dealii PROPERTY INTERFACE_LINK_LIBRARIES "${_dealii_library};MPI::MPI_C;${PELLICLE_TBB}")
 endif()
 

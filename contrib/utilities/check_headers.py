@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Checks that every public header of some rooms compiles on its own, and twice in a row.
 
-Usage: check_headers.py --compiler g++ --include include [--system-include DIR ...] [--jobs N] room ...
+Usage: check_headers.py --compiler g++ --include include [--system-includes DIR:DIR:...] [--jobs N] room ...
 """
 
 import argparse
@@ -12,7 +12,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-FLAGS = ["-std=c++17", "-fsyntax-only", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Werror", "-fmax-errors=3", "-x", "c++", "-"]
+FLAGS = ["-std=c++17", "-fsyntax-only", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow=local", "-Werror", "-fmax-errors=3", "-x", "c++", "-"]
 
 
 def compile_alone(command, name):
@@ -26,15 +26,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--compiler", required=True)
     parser.add_argument("--include", type=Path, required=True, help="folder that holds pellicle/")
-    parser.add_argument("--system-include", action="append", default=[], help="folder of other libraries' headers")
+    parser.add_argument("--system-includes", default="", help="folders of other libraries' headers, separated by colons")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("rooms", nargs="+", metavar="room")
     options = parser.parse_args()
 
     command = [options.compiler, f"-I{options.include}"]
-    for folder in options.system_include:
+    for folder in options.system_includes.split(":"):
         if folder and Path(folder) != options.include:
-            command += ["-isystem", folder]
+            command += ["-idirafter", folder]  # after the compiler's own: one of them may stand in the list again
     names = []
     for room in options.rooms:
         headers = (options.include / "pellicle" / room).rglob("*.h")

@@ -252,7 +252,7 @@ void BorderedSystem::set_constraint(const std::size_t k, const double compliance
   }
 }
 
-void BorderedSystem::set_rigid_motion(const std::size_t k, const NodalVectors &direction, const double inverse_rho)
+void BorderedSystem::set_rigid_motion(const std::size_t k, const NodalVectors &direction, const double inverse_rho, const double reaction)
 {
   if (communicator.rank() != 0)
     return;
@@ -261,6 +261,7 @@ void BorderedSystem::set_rigid_motion(const std::size_t k, const NodalVectors &d
   restrict_vector(0, direction, restricted);
   for (std::size_t i = 0; i < unknowns.n_nodal; ++i)
   {
+    right[i] += reaction * restricted[i];
     sparse.values[sparse.row_start[row] + i] = restricted[i];
     if (sparse.symmetry == MatrixSymmetry::general)
       sparse.values[sparse.row_start[i + 1] - unknowns.size() + row] = restricted[i];

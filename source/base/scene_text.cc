@@ -24,6 +24,8 @@ void write_section(SceneWriter &writer, const ParameterSection &section)
   writer.open(section.name());
   for (const Entry &entry : section.entries())
   {
+    if (&entry != &section.entries().front())
+      writer.blank();
     const std::string entry_unit = unit(entry);
     writer.comment(entry.text);
     writer.comment("Allowed: " + allowed_text(entry) + "." + (entry_unit.empty() ? "" : " Unit: " + entry_unit + "."));

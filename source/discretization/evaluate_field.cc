@@ -8,8 +8,8 @@ namespace
 {
 constexpr unsigned int most_nodes = 64; ///< of a cell: degree 7 on a surface
 
-/** sum_I table(s, q, I) v_I for all slots of all points. The number of slots is known to the compiler, so that the sums of a
- *  point (3 to 18 of them, independent of each other) stay in registers. */
+/** sum_I table(s, q, I) v_I for all slots of all points. The number of slots is known to the compiler, so that the sums
+ * of a point (3 to 18 of them, independent of each other) stay in registers. */
 template <unsigned int n_slots>
 void contract(const ShapeTables &tables, const double *nodal, double *inputs)
 {
@@ -44,16 +44,16 @@ void apply_maps(const ShapeTables &tables, const unsigned int n_slots, double *i
     for (unsigned int s = 0; s < n_slots; ++s)
     {
       const std::array<double, 9> &m = tables.map[s];
-      double *const                v = inputs + (std::size_t(q) * 6 + s) * 3;
-      const double                 x = v[0], y = v[1], z = v[2];
+      double *const v                = inputs + (std::size_t(q) * 6 + s) * 3;
+      const double x = v[0], y = v[1], z = v[2];
       for (unsigned int c = 0; c < 3; ++c)
         v[c] = m[3 * c] * x + m[3 * c + 1] * y + m[3 * c + 2] * z;
     }
 }
 } // namespace
 
-void evaluate_field(const ShapeTables &tables, const std::size_t *cell_nodes, const NodalVectors &values, const unsigned int n_slots,
-                    double *inputs)
+void evaluate_field(const ShapeTables &tables, const std::size_t *cell_nodes, const NodalVectors &values,
+                    const unsigned int n_slots, double *inputs)
 {
   PELLICLE_ASSERT(n_slots >= 1 && n_slots <= 6, "a field has one to six slots");
   PELLICLE_ASSERT(tables.n_nodes <= most_nodes, "degree too high");
@@ -64,12 +64,24 @@ void evaluate_field(const ShapeTables &tables, const std::size_t *cell_nodes, co
 
   switch (n_slots)
   {
-  case 1: contract<1>(tables, nodal, inputs); break;
-  case 2: contract<2>(tables, nodal, inputs); break;
-  case 3: contract<3>(tables, nodal, inputs); break;
-  case 4: contract<4>(tables, nodal, inputs); break;
-  case 5: contract<5>(tables, nodal, inputs); break;
-  default: contract<6>(tables, nodal, inputs); break;
+  case 1:
+    contract<1>(tables, nodal, inputs);
+    break;
+  case 2:
+    contract<2>(tables, nodal, inputs);
+    break;
+  case 3:
+    contract<3>(tables, nodal, inputs);
+    break;
+  case 4:
+    contract<4>(tables, nodal, inputs);
+    break;
+  case 5:
+    contract<5>(tables, nodal, inputs);
+    break;
+  default:
+    contract<6>(tables, nodal, inputs);
+    break;
   }
   if (!tables.identity_map)
     apply_maps(tables, n_slots, inputs);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cmath>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/builders.h>
 #include <pellicle/discretization/refined_quads.h>
@@ -24,7 +25,8 @@ AdmissibleDirections directions(const std::vector<std::array<double, 3>> &column
 }
 } // namespace
 
-SurfaceDiscretization on_meridian(const SmoothShape &shape, const unsigned int degree, const unsigned int refinements, const bool mirror)
+SurfaceDiscretization on_meridian(const SmoothShape &shape, const unsigned int degree, const unsigned int refinements,
+                                  const bool mirror)
 {
   PELLICLE_ASSERT(shape.axisymmetric && (shape.up_down_symmetric || !mirror), "the shape has no such meridian");
   SurfaceDiscretization result;
@@ -36,8 +38,10 @@ SurfaceDiscretization on_meridian(const SmoothShape &shape, const unsigned int d
   result.tables  = make_meridian_tables(degree, degree + 1, mirror);
 
   const std::vector<double> nodes = line_nodes(degree);
-  const double              end   = mirror ? 0.5 : 1.; // polar angle in units of pi
+  const double end                = mirror ? 0.5 : 1.; // polar angle in units of pi
   result.positions.resize(3 * result.n_nodes, 0.);
+  result.mesh_reference.resize(3 * result.n_nodes, 0.);
+  const double radius = std::sqrt(shape.area / (4. * 3.141592653589793));
   result.admissible.resize(result.n_nodes, directions({e_x, e_z}));
   for (std::size_t cell = 0; cell < result.n_cells; ++cell)
     for (unsigned int i = 0; i <= degree; ++i)
@@ -45,13 +49,17 @@ SurfaceDiscretization on_meridian(const SmoothShape &shape, const unsigned int d
       const std::size_t node = cell * degree + i;
       result.cell_nodes.push_back(node);
       const double angle = end * (cell + 0.5 * (1. + nodes[i])) / result.n_cells;
-      const auto   x     = shape.point({boost::math::sin_pi(angle), 0., boost::math::cos_pi(angle)});
+      const Vector3<double> u(boost::math::sin_pi(angle), 0., boost::math::cos_pi(angle));
+      const auto x = shape.point(u);
+      for (unsigned int c = 0; c < 3; ++c)
+        result.mesh_reference[3 * node + c] = radius * u[c];
 
       result.positions[3 * node]     = x[0];
       result.positions[3 * node + 2] = x[2];
     }
 
-  const auto on_axis = [&](const std::size_t node) {
+  const auto on_axis = [&](const std::size_t node)
+  {
     result.positions[3 * node] = 0.;
     result.admissible[node]    = directions({e_z});
   };

@@ -2,6 +2,7 @@
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/polygon_mesh.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -21,7 +22,9 @@ public:
       , stream(file)
   {
     if (!stream)
-      throw UserError("Mesh file '" + file + "' cannot be opened: check the name (it is taken relative to the current directory) and permissions.");
+      throw UserError(
+          "Mesh file '" + file +
+          "' cannot be opened: check the name (it is taken relative to the current directory) and permissions.");
   }
 
   [[noreturn]] void fail(const std::string &what, const std::size_t at_line = 0) const
@@ -59,7 +62,8 @@ public:
     if (words.front()[0] == '$')
       fail(section + " ends too early, with '" + words.front() + "': it has fewer entries than its counts say.");
     if (words.size() < n_words)
-      fail("expected " + std::to_string(n_words) + " numbers in " + section + ", found " + std::to_string(words.size()) + ".");
+      fail("expected " + std::to_string(n_words) + " numbers in " + section + ", found " +
+           std::to_string(words.size()) + ".");
   }
 
   /** Consumes the rest of a section. */
@@ -82,13 +86,13 @@ public:
   }
 
   const std::string &word(const std::size_t i) const { return words[i]; }
-  std::size_t        line() const { return line_number; }
+  std::size_t line() const { return line_number; }
 
 private:
   template <typename Number>
   Number number(const std::size_t i, const char *what) const
   {
-    Number            value{};
+    Number value{};
     const std::string &text = words[i];
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size())
@@ -98,17 +102,17 @@ private:
 
   static constexpr const char *blanks = " \t\r";
 
-  std::string              file;
-  std::ifstream            stream;
+  std::string file;
+  std::ifstream stream;
   std::vector<std::string> words;
-  std::size_t              line_number = 0;
+  std::size_t line_number = 0;
 };
 
 /** A facet whose nodes are still tags of the file. */
 struct RawFacet
 {
-  std::size_t                name = 0, line = 0;
-  unsigned int               n_vertices = 3;
+  std::size_t name = 0, line = 0;
+  unsigned int n_vertices = 3;
   std::array<std::size_t, 4> tags{};
 };
 
@@ -120,9 +124,11 @@ void read_header(MshText &text)
     text.fail("this is not a Gmsh mesh: an MSH file begins with '$MeshFormat'.");
   text.next_in("$MeshFormat", 3);
   if (text.word(0) != "4.1")
-    text.fail("MSH version " + text.word(0) + " is not read; write the mesh with 'gmsh -2 -format msh41' (version 4.1, ASCII).");
+    text.fail("MSH version " + text.word(0) +
+              " is not read; write the mesh with 'gmsh -2 -format msh41' (version 4.1, ASCII).");
   if (text.word(1) != "0")
-    text.fail("binary MSH files are not read; write the mesh as ASCII ('gmsh -2 -format msh41 -save_all', option Mesh.Binary = 0).");
+    text.fail("binary MSH files are not read; write the mesh as ASCII ('gmsh -2 -format msh41 -save_all', option "
+              "Mesh.Binary = 0).");
   text.skip_to("$EndMeshFormat");
 }
 
@@ -134,7 +140,7 @@ void read_nodes(MshText &text, NodeTable &nodes)
   for (std::size_t block = 0; block < n_blocks; ++block)
   {
     text.next_in(section, 4);
-    const std::size_t        n_nodes = text.count(3);
+    const std::size_t n_nodes = text.count(3);
     std::vector<std::size_t> tags; // grows with the file, whatever the count claims
     for (std::size_t i = 0; i < n_nodes; ++i)
     {
@@ -151,13 +157,15 @@ void read_nodes(MshText &text, NodeTable &nodes)
   text.skip_to("$EndNodes");
 }
 
-/** What a surface element that cannot be used is called, by its type in the file; empty for lines, volumes and points. */
+/** What a surface element that cannot be used is called, by its type in the file; empty for lines, volumes and points.
+ */
 std::string unusable_facet(const std::size_t type, const std::size_t dimension)
 {
-  static const std::map<std::size_t, std::string> names = {{9, "6-node triangles"},   {10, "9-node quadrilaterals"}, {16, "8-node quadrilaterals"},
-                                                           {20, "9-node triangles"},  {21, "10-node triangles"},     {22, "12-node triangles"},
-                                                           {23, "15-node triangles"}, {36, "16-node quadrilaterals"}};
-  const auto                                      found = names.find(type);
+  static const std::map<std::size_t, std::string> names = {
+      {9, "6-node triangles"},   {10, "9-node quadrilaterals"}, {16, "8-node quadrilaterals"},
+      {20, "9-node triangles"},  {21, "10-node triangles"},     {22, "12-node triangles"},
+      {23, "15-node triangles"}, {36, "16-node quadrilaterals"}};
+  const auto found = names.find(type);
   if (found != names.end())
     return found->second;
   return dimension == 2 ? "surface elements" : "";
@@ -172,10 +180,11 @@ void read_elements(MshText &text, std::vector<RawFacet> &facets)
   {
     text.next_in(section, 4);
     const std::size_t dimension = text.count(0), type = text.count(2), n_elements = text.count(3);
-    const bool        wanted    = (type == 2 || type == 3);
+    const bool wanted = (type == 2 || type == 3);
     if (!wanted && n_elements > 0 && !unusable_facet(type, dimension).empty())
       text.fail(unusable_facet(type, dimension) + " (type " + std::to_string(type) +
-                ") are not read: only 3-node triangles and 4-node quadrilaterals are. Write the mesh with 'gmsh -2 -order 1 -format msh41'.");
+                ") are not read: only 3-node triangles and 4-node quadrilaterals are. Write the mesh with 'gmsh -2 "
+                "-order 1 -format msh41'.");
 
     const unsigned int n_vertices = (type == 2) ? 3 : 4;
     for (std::size_t i = 0; i < n_elements; ++i)
@@ -196,7 +205,8 @@ void read_elements(MshText &text, std::vector<RawFacet> &facets)
 }
 
 /** Replaces tags by running numbers; only nodes in use get one. */
-PolygonMesh resolve(const MshText &text, const std::string &file, const NodeTable &nodes, const std::vector<RawFacet> &facets)
+PolygonMesh resolve(const MshText &text, const std::string &file, const NodeTable &nodes,
+                    const std::vector<RawFacet> &facets)
 {
   PolygonMesh mesh;
   mesh.source = file;
@@ -208,13 +218,16 @@ PolygonMesh resolve(const MshText &text, const std::string &file, const NodeTabl
     polygon.name       = facet.name;
     for (unsigned int v = 0; v < facet.n_vertices; ++v)
     {
-      const std::size_t tag  = facet.tags[v];
-      const auto        node = nodes.find(tag);
+      const std::size_t tag = facet.tags[v];
+      const auto node       = nodes.find(tag);
       if (node == nodes.end())
-        text.fail("element " + std::to_string(facet.name) + " uses node " + std::to_string(tag) + ", which the file does not define.", facet.line);
+        text.fail("element " + std::to_string(facet.name) + " uses node " + std::to_string(tag) +
+                      ", which the file does not define.",
+                  facet.line);
       for (unsigned int w = 0; w < v; ++w)
         if (facet.tags[w] == tag)
-          text.fail("element " + std::to_string(facet.name) + " uses node " + std::to_string(tag) + " twice.", facet.line);
+          text.fail("element " + std::to_string(facet.name) + " uses node " + std::to_string(tag) + " twice.",
+                    facet.line);
       const auto [entry, is_new] = number_of.emplace(tag, static_cast<unsigned int>(mesh.vertices.size()));
       if (is_new)
       {
@@ -234,7 +247,7 @@ PolygonMesh read_msh(const std::string &file)
   MshText text(file);
   read_header(text);
 
-  NodeTable             nodes;
+  NodeTable nodes;
   std::vector<RawFacet> facets;
   while (text.next())
   {
@@ -249,7 +262,8 @@ PolygonMesh read_msh(const std::string &file)
       text.skip_to("$End" + section.substr(1));
   }
   if (facets.empty())
-    text.fail("no surface elements (3-node triangles or 4-node quadrilaterals) up to the end of the file: mesh the surface ('gmsh -2') and, "
+    text.fail("no surface elements (3-node triangles or 4-node quadrilaterals) up to the end of the file: mesh the "
+              "surface ('gmsh -2') and, "
               "if physical groups are defined, put the surface in one of them or save all elements.");
   return resolve(text, file, nodes, facets);
 }

@@ -15,12 +15,12 @@ namespace
 /** A side of a polygon, from vertex `place` to the next. */
 struct Side
 {
-  std::size_t  polygon = 0;
-  unsigned int place   = 0;
+  std::size_t polygon = 0;
+  unsigned int place  = 0;
 };
 
-using Edge     = std::pair<unsigned int, unsigned int>; // smaller vertex first
-using EdgeMap  = std::map<Edge, std::vector<Side>>;
+using Edge    = std::pair<unsigned int, unsigned int>; // smaller vertex first
+using EdgeMap = std::map<Edge, std::vector<Side>>;
 
 Edge edge_of(const Polygon &polygon, const unsigned int place)
 {
@@ -29,7 +29,8 @@ Edge edge_of(const Polygon &polygon, const unsigned int place)
 
 std::string name(const PolygonMesh &mesh, const Edge &edge)
 {
-  return "edge (" + std::to_string(mesh.vertex_names[edge.first]) + ", " + std::to_string(mesh.vertex_names[edge.second]) + ")";
+  return "edge (" + std::to_string(mesh.vertex_names[edge.first]) + ", " +
+         std::to_string(mesh.vertex_names[edge.second]) + ")";
 }
 
 EdgeMap collect_edges(const PolygonMesh &mesh)
@@ -55,11 +56,12 @@ void check_edges(const PolygonMesh &mesh, const EdgeMap &edges)
   }
 }
 
-/** Round a vertex one can walk from cell to cell through edges and meet all of its cells, or else it pinches the surface. */
+/** Round a vertex one can walk from cell to cell through edges and meet all of its cells, or else it pinches the
+ * surface. */
 void check_vertices(const PolygonMesh &mesh, const EdgeMap &edges)
 {
   std::vector<unsigned int> n_cells(mesh.vertices.size(), 0);
-  std::vector<Side>         first(mesh.vertices.size());
+  std::vector<Side> first(mesh.vertices.size());
   for (std::size_t p = 0; p < mesh.polygons.size(); ++p)
     for (unsigned int i = 0; i < mesh.polygons[p].n_vertices; ++i)
     {
@@ -71,7 +73,7 @@ void check_vertices(const PolygonMesh &mesh, const EdgeMap &edges)
   {
     if (n_cells[v] == 0)
       continue;
-    Side         at  = first[v]; // a side that begins or ends at v
+    Side at          = first[v]; // a side that begins or ends at v
     unsigned int met = 0;
     do
     {
@@ -79,9 +81,9 @@ void check_vertices(const PolygonMesh &mesh, const EdgeMap &edges)
       const auto &sides = edges.at(edge_of(mesh.polygons[at.polygon], at.place));
       at                = sides[0].polygon == at.polygon ? sides[1] : sides[0];
       // The other side of that polygon which touches v.
-      const Polygon     &polygon = mesh.polygons[at.polygon];
-      const unsigned int n       = polygon.n_vertices;
-      at.place = polygon.vertex(at.place) == v ? (at.place + n - 1) % n : (at.place + 1) % n;
+      const Polygon &polygon = mesh.polygons[at.polygon];
+      const unsigned int n   = polygon.n_vertices;
+      at.place               = polygon.vertex(at.place) == v ? (at.place + n - 1) % n : (at.place + 1) % n;
     } while (at.polygon != first[v].polygon && met <= n_cells[v]);
     if (met != n_cells[v])
       throw UserError(mesh.source + ": the surface touches itself at node " + std::to_string(mesh.vertex_names[v]) +
@@ -92,7 +94,7 @@ void check_vertices(const PolygonMesh &mesh, const EdgeMap &edges)
 /** Breadth first: a neighbour must walk the shared edge the other way round. */
 void turn_alike(PolygonMesh &mesh, const EdgeMap &edges)
 {
-  std::vector<char>       known(mesh.polygons.size(), 0), flipped(mesh.polygons.size(), 0);
+  std::vector<char> known(mesh.polygons.size(), 0), flipped(mesh.polygons.size(), 0);
   std::deque<std::size_t> front = {0};
   known[0]                      = 1;
   std::size_t n_known           = 1;
@@ -102,9 +104,10 @@ void turn_alike(PolygonMesh &mesh, const EdgeMap &edges)
     front.pop_front();
     for (unsigned int i = 0; i < mesh.polygons[p].n_vertices; ++i)
     {
-      const Edge  edge  = edge_of(mesh.polygons[p], i);
+      const Edge edge   = edge_of(mesh.polygons[p], i);
       const auto &sides = edges.at(edge);
-      const Side  here = sides[0].polygon == p ? sides[0] : sides[1], there = sides[0].polygon == p ? sides[1] : sides[0];
+      const Side here   = sides[0].polygon == p ? sides[0] : sides[1],
+                 there  = sides[0].polygon == p ? sides[1] : sides[0];
       // Compared in the order of the file; `flipped` says who has to be turned.
       const bool same_way = mesh.polygons[p].vertex(here.place) == mesh.polygons[there.polygon].vertex(there.place);
       const char wanted   = static_cast<char>(flipped[p] ^ (same_way ? 1 : 0));
@@ -116,13 +119,15 @@ void turn_alike(PolygonMesh &mesh, const EdgeMap &edges)
         front.push_back(there.polygon);
       }
       else if (flipped[there.polygon] != wanted)
-        throw UserError(mesh.source + ": the surface is not orientable (like a Klein bottle, it has no inside; noticed at " + name(mesh, edge) +
-                        "). A vesicle needs a surface that separates inside from outside.");
+        throw UserError(mesh.source +
+                        ": the surface is not orientable (like a Klein bottle, it has no inside; noticed at " +
+                        name(mesh, edge) + "). A vesicle needs a surface that separates inside from outside.");
     }
   }
   if (n_known != mesh.polygons.size())
-    throw UserError(mesh.source + ": the mesh has more than one piece (element " + std::to_string(mesh.polygons[0].name) + "'s piece has " +
-                    std::to_string(n_known) + " of " + std::to_string(mesh.polygons.size()) + " cells). Keep one closed surface.");
+    throw UserError(mesh.source + ": the mesh has more than one piece (element " +
+                    std::to_string(mesh.polygons[0].name) + "'s piece has " + std::to_string(n_known) + " of " +
+                    std::to_string(mesh.polygons.size()) + " cells). Keep one closed surface.");
   for (std::size_t p = 0; p < mesh.polygons.size(); ++p)
     if (flipped[p])
       std::reverse(mesh.polygons[p].vertices.begin(), mesh.polygons[p].vertices.begin() + mesh.polygons[p].n_vertices);
@@ -135,9 +140,10 @@ std::pair<double, double> six_volumes(const PolygonMesh &mesh)
   for (const Polygon &polygon : mesh.polygons)
     for (unsigned int i = 1; i + 1 < polygon.n_vertices; ++i)
     {
-      const Vector3<double> a = mesh.vertices[polygon.vertex(0)] - mesh.vertices[0], b = mesh.vertices[polygon.vertex(i)] - mesh.vertices[0],
-                            c    = mesh.vertices[polygon.vertex(i + 1)] - mesh.vertices[0];
-      const double          term = dot(a, cross(b, c));
+      const Vector3<double> a = mesh.vertices[polygon.vertex(0)] - mesh.vertices[0],
+                            b = mesh.vertices[polygon.vertex(i)] - mesh.vertices[0],
+                            c = mesh.vertices[polygon.vertex(i + 1)] - mesh.vertices[0];
+      const double term       = dot(a, cross(b, c));
       sum += term;
       magnitude += norm(a) * norm(b) * norm(c);
     }

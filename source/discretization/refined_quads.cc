@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/refined_quads.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
+
+#include <cmath>
 
 namespace pellicle
 {
 namespace
 {
-using Triangulation = dealii::Triangulation<2, 3>;
-
-/** The patches as deal.II wants them. Degrees of freedom on an edge are only shared properly when both cells run along it in the
- *  same direction; on an orientable surface turning the cells achieves that. */
-std::vector<dealii::CellData<2>> coarse_cells(const std::vector<QuadVertices> &quads)
-{
-  std::vector<dealii::CellData<2>> cells(quads.size());
-  for (std::size_t p = 0; p < quads.size(); ++p)
-    cells[p].vertices.assign(quads[p].begin(), quads[p].end());
-  dealii::GridTools::consistently_order_cells(cells);
-  return cells;
-}
+constexpr double most_cells = 1e6;
 
 /** Centre and half width, in the local coordinates of its patch, of a cell that descends from it. */
 struct Box
@@ -45,9 +36,9 @@ Box locate(const dealii::CellId &id)
 
 std::vector<double> line_nodes(const unsigned int degree)
 {
-  const dealii::FE_Q<1>           fe(degree);
+  const dealii::FE_Q<1> fe(degree);
   const std::vector<unsigned int> dof_of = fe.get_poly_space_numbering_inverse();
-  std::vector<double>             nodes(degree + 1);
+  std::vector<double> nodes(degree + 1);
   for (unsigned int i = 0; i <= degree; ++i)
     nodes[i] = fe.unit_support_point(dof_of[i])[0] - fe.unit_support_point(dof_of[degree - i])[0];
   return nodes;
@@ -59,9 +50,20 @@ RefinedQuads refine_quads(const std::vector<Vector3<double>> &vertices, const st
   std::vector<dealii::Point<3>> points;
   for (const Vector3<double> &v : vertices)
     points.emplace_back(v[0], v[1], v[2]);
-  const std::vector<dealii::CellData<2>> coarse = coarse_cells(quads);
 
-  Triangulation triangulation;
+  const double n_cells = std::ldexp(double(quads.size()), 2 * static_cast<int>(refinements));
+  if (n_cells > most_cells)
+    throw UserError("Refinements = " + std::to_string(refinements) + " would make " + exact_text(n_cells) +
+                    " cells of the " + std::to_string(quads.size()) + " that the mesh begins with; at most " +
+                    exact_text(most_cells) + " are possible. Refine less, and take a higher degree instead.");
+
+  RefinedQuads mesh;
+  mesh.patches = with_consistent_edges(quads);
+  std::vector<dealii::CellData<2>> coarse(quads.size());
+  for (std::size_t p = 0; p < quads.size(); ++p)
+    coarse[p].vertices.assign(mesh.patches[p].begin(), mesh.patches[p].end());
+
+  dealii::Triangulation<2, 3> triangulation;
   triangulation.create_triangulation(points, coarse, dealii::SubCellData());
   triangulation.refine_global(refinements);
 
@@ -69,22 +71,19 @@ RefinedQuads refine_quads(const std::vector<Vector3<double>> &vertices, const st
   dealii::DoFHandler<2, 3> dofs(triangulation);
   dofs.distribute_dofs(fe);
 
-  RefinedQuads mesh;
   mesh.n_nodes = dofs.n_dofs();
   mesh.n_cells = triangulation.n_active_cells();
-  for (const auto &cell : coarse)
-    mesh.patches.push_back({{cell.vertices[0], cell.vertices[1], cell.vertices[2], cell.vertices[3]}});
 
-  const std::vector<double>                    nodes  = line_nodes(degree);
-  const std::vector<unsigned int>              dof_of = fe.get_poly_space_numbering_inverse();
+  const std::vector<double> nodes        = line_nodes(degree);
+  const std::vector<unsigned int> dof_of = fe.get_poly_space_numbering_inverse();
   std::vector<dealii::types::global_dof_index> numbers(fe.n_dofs_per_cell());
   for (const auto &cell : dofs.active_cell_iterators())
   {
     PELLICLE_ASSERT(cell->direction_flag(), "patches are not oriented alike");
     cell->get_dof_indices(numbers);
-    const dealii::CellId id    = cell->id();
-    const auto           patch = static_cast<unsigned int>(id.get_coarse_cell_id());
-    const Box            box   = locate(id);
+    const dealii::CellId id = cell->id();
+    const auto patch        = static_cast<unsigned int>(id.get_coarse_cell_id());
+    const Box box           = locate(id);
     mesh.cell_patch.push_back(patch);
     for (unsigned int j = 0; j <= degree; ++j)
       for (unsigned int i = 0; i <= degree; ++i)

@@ -10,9 +10,9 @@ namespace pellicle
 namespace
 {
 constexpr std::array<double, 9> identity{{1., 0., 0., 0., 1., 0., 0., 0., 1.}};
-constexpr std::array<double, 9> in_plane{{1., 0., 0., 0., 0., 0., 0., 0., 1.}};       // diag(1, 0, 1)
-constexpr std::array<double, 9> radial_to_phi{{0., 0., 0., 1., 0., 0., 0., 0., 0.}};  // e_y e_x^T
-constexpr std::array<double, 9> minus_radial{{-1., 0., 0., 0., 0., 0., 0., 0., 0.}};  // -e_x e_x^T
+constexpr std::array<double, 9> in_plane{{1., 0., 0., 0., 0., 0., 0., 0., 1.}};      // diag(1, 0, 1)
+constexpr std::array<double, 9> radial_to_phi{{0., 0., 0., 1., 0., 0., 0., 0., 0.}}; // e_y e_x^T
+constexpr std::array<double, 9> minus_radial{{-1., 0., 0., 0., 0., 0., 0., 0., 0.}}; // -e_x e_x^T
 
 /** Sizes, weights and maps; the tables themselves are left at zero. */
 template <int dim>
@@ -27,30 +27,33 @@ ShapeTables empty_tables(const unsigned int n_nodes, const std::vector<double> &
   if constexpr (dim == 2)
     t.map.fill(identity);
   else
-    // d/dphi of v(s) = (v_r, 0, v_z) carried along by the revolution, in the plane phi = 0: v,2 = v_r e_phi, v,22 = -v_r e_r.
+    // d/dphi of v(s) = (v_r, 0, v_z) carried along by the revolution, in the plane phi = 0: v,2 = v_r e_phi, v,22 =
+    // -v_r e_r.
     t.map = {{in_plane, in_plane, radial_to_phi, in_plane, radial_to_phi, minus_radial}};
   t.identity_map = (dim == 2);
   return t;
 }
 
 template <int dim>
-ShapeTables tabulate(const unsigned int degree, const std::vector<dealii::Point<dim>> &points, const std::vector<double> &weights)
+ShapeTables tabulate(const unsigned int degree, const std::vector<dealii::Point<dim>> &points,
+                     const std::vector<double> &weights)
 {
   PELLICLE_ASSERT(degree >= 1, "piecewise constants do not describe a surface");
-  const dealii::FE_Q<dim>         fe(degree);
-  const std::vector<unsigned int> dof_of = fe.get_poly_space_numbering_inverse(); // lexicographic -> deal.II's numbering
+  const dealii::FE_Q<dim> fe(degree);
+  const std::vector<unsigned int> dof_of =
+      fe.get_poly_space_numbering_inverse(); // lexicographic -> deal.II's numbering
 
   ShapeTables t = empty_tables<dim>(fe.n_dofs_per_cell(), weights);
   for (unsigned int q = 0; q < t.n_points; ++q)
     for (unsigned int i = 0; i < t.n_nodes; ++i)
     {
-      const std::size_t at       = std::size_t(q) * t.n_nodes + i;
-      const double      value    = fe.shape_value(dof_of[i], points[q]);
-      const auto        gradient = fe.shape_grad(dof_of[i], points[q]);
-      const auto        hessian  = fe.shape_grad_grad(dof_of[i], points[q]);
-      t.tables[0][at]            = value;
-      t.tables[1][at]            = gradient[0];
-      t.tables[3][at]            = hessian[0][0];
+      const std::size_t at = std::size_t(q) * t.n_nodes + i;
+      const double value   = fe.shape_value(dof_of[i], points[q]);
+      const auto gradient  = fe.shape_grad(dof_of[i], points[q]);
+      const auto hessian   = fe.shape_grad_grad(dof_of[i], points[q]);
+      t.tables[0][at]      = value;
+      t.tables[1][at]      = gradient[0];
+      t.tables[3][at]      = hessian[0][0];
       if constexpr (dim == 2)
       {
         t.tables[2][at] = gradient[1];
@@ -71,7 +74,7 @@ template <int dim>
 ShapeTables tabulate_gauss(const unsigned int degree, const unsigned int n_gauss_points, const double factor)
 {
   const dealii::QGauss<dim> gauss(n_gauss_points);
-  std::vector<double>       weights = gauss.get_weights();
+  std::vector<double> weights = gauss.get_weights();
   for (double &weight : weights)
     weight *= factor;
   return tabulate<dim>(degree, gauss.get_points(), weights);

@@ -15,7 +15,7 @@ double SmoothShape::reduced_volume() const
 SmoothShape scaled_to_area(const SmoothShape &shape, const double area)
 {
   const double factor = std::sqrt(area / shape.area);
-  SmoothShape  result = shape;
+  SmoothShape result  = shape;
   result.area         = area;
   result.volume       = shape.volume * factor * factor * factor;
   result.point        = [point = shape.point, factor](const Vector3<double> &u) { return factor * point(u); };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/base/near_match.h>
-#include <pellicle/base/exact_text.h>
 #include <pellicle/discretization/builders.h>
 #include <pellicle/discretization/start_shapes.h>
 #include <pellicle/discretization/surface_quality.h>
@@ -26,25 +26,28 @@ const std::map<std::string, std::function<SmoothShape(const StartShape &)>> &smo
   return shapes;
 }
 
-/** Refuses meshes that no machine at hand would solve, before memory runs out. */
+/** Refuses what the cells are not made for, and meshes that no machine at hand would solve, before memory runs out. */
 void check_size(const StartShape &shape)
 {
   if (shape.degree < 2 || shape.degree > 5)
     throw UserError("Degree = " + std::to_string(shape.degree) + ": the degree of the cells must be 2, 3, 4 or 5.");
   const unsigned int most = shape.axial ? 16 : 8;
   if (shape.refinements > most)
-    throw UserError("Refinements = " + std::to_string(shape.refinements) + ": at most " + std::to_string(most) + " are possible (" +
-                    (shape.axial ? "each doubles" : "each makes four times") + " the number of cells). Take a higher degree instead.");
+    throw UserError("Refinements = " + std::to_string(shape.refinements) + ": at most " + std::to_string(most) +
+                    " are possible (" + (shape.axial ? "each doubles" : "each makes four times") +
+                    " the number of cells). Take a higher degree instead.");
 }
 
 SurfaceDiscretization build_axial(const StartShape &shape)
 {
   const auto maker = smooth_shapes().find(shape.name);
   if (maker == smooth_shapes().end())
-    throw UserError("Start shape '" + shape.name + "' has no axial form: leave the symmetry out, or take an axisymmetric closed shape.");
+    throw UserError("Start shape '" + shape.name +
+                    "' has no axial form: leave the symmetry out, or take an axisymmetric closed shape.");
   const SmoothShape smooth = maker->second(shape);
   if (!smooth.axisymmetric)
-    throw UserError("Semi axes = " + exact_text(shape.semi_axes[0]) + ", " + exact_text(shape.semi_axes[1]) + ", " + exact_text(shape.semi_axes[2]) +
+    throw UserError("Semi axes = " + exact_text(shape.semi_axes[0]) + ", " + exact_text(shape.semi_axes[1]) + ", " +
+                    exact_text(shape.semi_axes[2]) +
                     ": an axial ellipsoid needs the first two to be equal (the axis of revolution is z).");
   if (shape.mirror && !smooth.up_down_symmetric)
     throw UserError("Start shape '" + shape.name + "' has no mirror plane z = 0: use the whole meridian.");
@@ -59,13 +62,15 @@ SurfaceDiscretization build_surface(const StartShape &shape)
     return torus(shape.torus_ratio, shape.area, shape.degree, shape.refinements);
   if (shape.name == "file")
     return from_file(shape.file, shape.area, shape.degree, shape.refinements);
-  return on_cube_sphere(scaled_to_area(smooth_shapes().at(shape.name)(shape), shape.area), shape.degree, shape.refinements);
+  return on_cube_sphere(scaled_to_area(smooth_shapes().at(shape.name)(shape), shape.area), shape.degree,
+                        shape.refinements);
 }
 } // namespace
 
 const std::vector<std::string> &start_shape_names()
 {
-  static const std::vector<std::string> names = {"prolate", "oblate", "stomatocyte", "ellipsoid", "biconcave", "torus", "file"};
+  static const std::vector<std::string> names = {"prolate",   "oblate", "stomatocyte", "ellipsoid",
+                                                 "biconcave", "torus",  "file"};
   return names;
 }
 

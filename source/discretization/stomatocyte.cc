@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pellicle/base/exceptions.h>
 #include <pellicle/base/exact_text.h>
+#include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/smooth_shape.h>
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -15,14 +15,15 @@ namespace pellicle
 {
 namespace
 {
-constexpr double pi              = 3.141592653589793;
-constexpr double half_opening    = pi / 12.;
-constexpr double thickest_cup    = 0.30; ///< R_i of the largest reduced volume
-constexpr double thinnest_cup    = 0.85; ///< R_i of the smallest
-constexpr unsigned int n_panels  = 128;  ///< of the outline, for quadrature and for finding an arc length
-using PanelRule                  = boost::math::quadrature::gauss<double, 15>;
+constexpr double pi             = 3.141592653589793;
+constexpr double half_opening   = pi / 10.;
+constexpr double thickest_cup   = 0.30; ///< R_i of the largest reduced volume
+constexpr double thinnest_cup   = 0.85; ///< R_i of the smallest
+constexpr unsigned int n_panels = 128;  ///< of the outline, for quadrature and for finding an arc length
+using PanelRule                 = boost::math::quadrature::gauss<double, 15>;
 
-/** The outline eta^2 + y^n = 1 by the angle tau in the (eta, y) plane, from the outer pole (tau = 0) to the inner one (tau = pi). */
+/** The outline eta^2 + y^n = 1 by the angle tau in the (eta, y) plane, from the outer pole (tau = 0) to the inner one
+ * (tau = pi). */
 class CupOutline
 {
 public:
@@ -50,14 +51,15 @@ public:
   Point at(const double tau) const
   {
     const double c = std::cos(tau), s = std::sin(tau);
-    // (eta, y) = w (c, s) on the curve: w is the root of the convex increasing f below; Newton descends to it from the right.
-    double w = std::min(1. / std::max(std::abs(c), 1e-3), 1. / std::max(s, 1e-3));
+    // (eta, y) = w (c, s) on the curve: w is the root of the convex increasing f below; Newton descends to it from the
+    // right.
+    double w     = std::min(1. / std::max(std::abs(c), 1e-3), 1. / std::max(s, 1e-3));
     double power = 0., df = 1.; // y^(n - 1), df/dw
     for (int iteration = 0; iteration < 100; ++iteration)
     {
-      power              = std::pow(w * s, exponent - 1.);
-      df                 = 2. * w * c * c + exponent * power * s;
-      const double step  = (w * w * c * c + power * w * s - 1.) / df;
+      power             = std::pow(w * s, exponent - 1.);
+      df                = 2. * w * c * c + exponent * power * s;
+      const double step = (w * w * c * c + power * w * s - 1.) / df;
       w -= step;
       if (std::abs(step) < 1e-15)
         break;
@@ -68,7 +70,8 @@ public:
 
     const double radius = mean_radius + half_thickness * eta, dradius = half_thickness * deta;
     const double cosine = std::cos(span * y), sine = std::sin(span * y);
-    return {radius * sine, -radius * cosine, dradius * sine + radius * cosine * span * dy, -dradius * cosine + radius * sine * span * dy};
+    return {radius * sine, -radius * cosine, dradius * sine + radius * cosine * span * dy,
+            -dradius * cosine + radius * sine * span * dy};
   }
 
   double length() const { return arc_lengths.back(); }
@@ -76,10 +79,10 @@ public:
   /** Parameter at the given arc length from the outer pole. */
   double find(const double wanted) const
   {
-    const auto         above = std::upper_bound(arc_lengths.begin() + 1, arc_lengths.end() - 1, wanted);
+    const auto above         = std::upper_bound(arc_lengths.begin() + 1, arc_lengths.end() - 1, wanted);
     const unsigned int panel = static_cast<unsigned int>(above - arc_lengths.begin()) - 1;
-    const double       a     = pi * panel / n_panels;
-    double             tau   = a + pi / n_panels * (wanted - arc_lengths[panel]) / (arc_lengths[panel + 1] - arc_lengths[panel]);
+    const double a           = pi * panel / n_panels;
+    double tau = a + pi / n_panels * (wanted - arc_lengths[panel]) / (arc_lengths[panel + 1] - arc_lengths[panel]);
     for (int iteration = 0; iteration < 20; ++iteration)
     {
       const double step = (arc_lengths[panel] + arc_length(a, tau) - wanted) / at(tau).speed();
@@ -100,22 +103,23 @@ private:
 
   static constexpr double span = pi - half_opening; ///< angle covered by y in [0, 1]
 
-  double              mean_radius, half_thickness, exponent;
+  double mean_radius, half_thickness, exponent;
   std::vector<double> arc_lengths; ///< at the ends of the panels
 };
 
 SmoothShape cup(const double inner_radius)
 {
-  const auto  outline = std::make_shared<const CupOutline>(inner_radius);
+  const auto outline = std::make_shared<const CupOutline>(inner_radius);
   SmoothShape shape;
   shape.area              = outline->area;
   shape.volume            = outline->volume;
   shape.up_down_symmetric = false;
-  shape.point             = [outline](const Vector3<double> &u) {
+  shape.point             = [outline](const Vector3<double> &u)
+  {
     // The sphere's south pole is the cup's lowest point; its north pole the bottom inside.
     const double rho   = std::hypot(u[0], u[1]);
     const double angle = std::atan2(rho, -u[2]);
-    const auto   at    = outline->at(outline->find(outline->length() * angle / pi));
+    const auto at      = outline->at(outline->find(outline->length() * angle / pi));
     const double ratio = rho > 0. ? at.r / rho : 0.;
     return Vector3<double>(ratio * u[0], ratio * u[1], at.z);
   };
@@ -132,13 +136,16 @@ SmoothShape stomatocyte(const double reduced_volume)
 {
   const double largest = cup_reduced_volume(thickest_cup), smallest = cup_reduced_volume(thinnest_cup);
   if (!(reduced_volume >= smallest && reduced_volume <= largest))
-    throw UserError("Reduced volume = " + exact_text(reduced_volume) + " is not possible for the start shape 'stomatocyte': it must lie between " +
-                    exact_text(std::ceil(1e3 * smallest) / 1e3) + " and " + exact_text(std::floor(1e3 * largest) / 1e3) +
+    throw UserError("Reduced volume = " + exact_text(reduced_volume) +
+                    " is not possible for the start shape 'stomatocyte': it must lie between " +
+                    exact_text(std::ceil(1e3 * smallest) / 1e3) + " and " +
+                    exact_text(std::floor(1e3 * largest) / 1e3) +
                     ". Start from a cup inside this range and step the reduced volume, or take another start shape.");
   std::uintmax_t iterations = 200;
-  const auto     bracket    = boost::math::tools::toms748_solve(
-      [&](const double inner_radius) { return cup_reduced_volume(inner_radius) - reduced_volume; }, thickest_cup, thinnest_cup,
-      largest - reduced_volume, smallest - reduced_volume, [](const double a, const double b) { return std::abs(b - a) < 1e-15; }, iterations);
+  const auto bracket        = boost::math::tools::toms748_solve(
+      [&](const double inner_radius) { return cup_reduced_volume(inner_radius) - reduced_volume; }, thickest_cup,
+      thinnest_cup, largest - reduced_volume, smallest - reduced_volume,
+      [](const double a, const double b) { return std::abs(b - a) < 1e-15; }, iterations);
   return cup(0.5 * (bracket.first + bracket.second));
 }
 } // namespace pellicle

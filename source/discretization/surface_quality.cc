@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pellicle/base/exceptions.h>
 #include <pellicle/base/exact_text.h>
+#include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/surface_quality.h>
 
 #include <algorithm>
@@ -18,9 +18,13 @@ public:
       : surface(discretization)
       , values(positions)
       , inputs(std::size_t(discretization.tables.n_points) * 18)
-  {}
+  {
+  }
 
-  void enter(const std::size_t cell) { evaluate_field(surface.tables, &surface.cell_nodes[cell * surface.n_local()], values, 3, inputs.data()); }
+  void enter(const std::size_t cell)
+  {
+    evaluate_field(surface.tables, &surface.cell_nodes[cell * surface.n_local()], values, 3, inputs.data());
+  }
 
   Vector3<double> slot(const unsigned int q, const unsigned int s) const
   {
@@ -30,16 +34,16 @@ public:
 
 private:
   const SurfaceDiscretization &surface;
-  const NodalVectors          &values;
-  std::vector<double>          inputs;
+  const NodalVectors &values;
+  std::vector<double> inputs;
 };
 } // namespace
 
 SurfaceQuality surface_quality(const SurfaceDiscretization &surface, const NodalVectors &positions)
 {
-  PositionWalk   walk(surface, positions);
+  PositionWalk walk(surface, positions);
   SurfaceQuality result;
-  double         smallest = std::numeric_limits<double>::infinity(), largest = 0.;
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0.;
   for (std::size_t cell = 0; cell < surface.n_cells; ++cell)
   {
     walk.enter(cell);
@@ -47,7 +51,7 @@ SurfaceQuality surface_quality(const SurfaceDiscretization &surface, const Nodal
     for (unsigned int q = 0; q < surface.tables.n_points; ++q)
     {
       const Vector3<double> a1 = walk.slot(q, 1), a2 = walk.slot(q, 2), area_vector = cross(a1, a2);
-      const double          J = norm(area_vector), weight = surface.tables.weights[q];
+      const double J = norm(area_vector), weight = surface.tables.weights[q];
       cell_area += weight * J;
       result.volume += weight * dot(walk.slot(q, 0), area_vector) / 3.;
       result.min_cell_quality = std::min(result.min_cell_quality, J / (norm(a1) * norm(a2)));
@@ -64,7 +68,7 @@ SurfaceQuality surface_quality(const SurfaceDiscretization &surface, const Nodal
 
 void check_start_positions(const SurfaceDiscretization &surface, const std::string &remedy)
 {
-  const bool   meridian = surface.kind == SurfaceDiscretization::Kind::meridian;
+  const bool meridian = surface.kind == SurfaceDiscretization::Kind::meridian;
   PositionWalk walk(surface, surface.positions);
   for (std::size_t cell = 0; cell < surface.n_cells; ++cell)
   {
@@ -80,12 +84,13 @@ void check_start_positions(const SurfaceDiscretization &surface, const std::stri
     if (!(smallest > 1e-8 * total / surface.tables.n_points && total < std::numeric_limits<double>::infinity()))
     {
       const Vector3<double> x = walk.slot(0, 0);
-      throw UserError("The start shape is degenerate in the cell at (" + exact_text(x[0]) + ", " + exact_text(x[1]) + ", " + exact_text(x[2]) +
-                      "): its area element is not positive there. " + remedy);
+      throw UserError("The start shape is degenerate in the cell at (" + exact_text(x[0]) + ", " + exact_text(x[1]) +
+                      ", " + exact_text(x[2]) + "): its area element is not positive there. " + remedy);
     }
   }
   const double volume = surface_quality(surface, surface.positions).volume;
   if (!(volume > 0. && volume < std::numeric_limits<double>::infinity()))
-    throw UserError("The start shape encloses the volume " + exact_text(volume) + ", which must be positive: it is inside out or folded. " + remedy);
+    throw UserError("The start shape encloses the volume " + exact_text(volume) +
+                    ", which must be positive: it is inside out or folded. " + remedy);
 }
 } // namespace pellicle

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pellicle/assembly/nodal_chart.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/kinematics/surface_point.h>
 #include <pellicle/models/nodal_curvature.h>
@@ -154,6 +153,28 @@ Eigen::VectorXd solve_constrained(Eigen::SparseMatrix<double> mass, Eigen::Vecto
   factorize(factorization, mass);
   return factorization.solve(right_hand_side);
 }
+
+/** Integral of (h . n/2) y for every scalar shape function y. */
+Eigen::VectorXd normal_part(const SurfaceDiscretization &discretization, const NodalVectors &positions,
+                            const NodalVectors &curvature_vector)
+{
+  const ShapeTables &tables = discretization.tables;
+  std::vector<double> h(std::size_t(tables.n_points) * 18);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(discretization.n_nodes));
+  PointWalk(discretization, positions)
+      .for_all_points(
+          [&](const std::size_t *const nodes, const unsigned int q, const double weight,
+              const SurfacePoint<double> &point)
+          {
+            if (q == 0)
+              evaluate_field(tables, nodes, curvature_vector, 1, h.data());
+            const double *const at = &h[18 * q];
+            const double half      = 0.5 * weight * dot(Vector3<double>(at[0], at[1], at[2]), point.area_vector);
+            for (unsigned int I = 0; I < tables.n_nodes; ++I)
+              result[nodes[I]] += half * tables.tables[0][std::size_t(q) * tables.n_nodes + I];
+          });
+  return result;
+}
 } // namespace
 
 NodalCurvature nodal_curvature(const SurfaceDiscretization &discretization, const NodalVectors &positions)
@@ -178,11 +199,8 @@ NodalCurvature nodal_curvature(const SurfaceDiscretization &discretization, cons
       result.curvature_vector[3 * I + c] = h[I];
   }
 
-  const NodalVectors normals = nodal_normals(discretization, positions);
-  result.mean_outward.assign(n_nodes, 0.);
-  for (std::size_t i = 0; i < 3 * n_nodes; ++i)
-    result.mean_outward[i / 3] += 0.5 * result.curvature_vector[i] * normals[i];
-
+  const Eigen::VectorXd H = factorization.solve(normal_part(discretization, positions, result.curvature_vector));
+  result.mean_outward.assign(H.data(), H.data() + H.size());
   const Eigen::VectorXd K = factorization.solve(forms.gauss);
   result.gauss.assign(K.data(), K.data() + K.size());
   return result;
@@ -191,19 +209,6 @@ NodalCurvature nodal_curvature(const SurfaceDiscretization &discretization, cons
 double integrated_mean_curvature(const SurfaceDiscretization &discretization, const NodalVectors &positions,
                                  const NodalVectors &curvature_vector)
 {
-  const ShapeTables &tables = discretization.tables;
-  std::vector<double> h(std::size_t(tables.n_points) * 18);
-  double sum = 0.;
-  PointWalk(discretization, positions)
-      .for_all_points(
-          [&](const std::size_t *const nodes, const unsigned int q, const double weight,
-              const SurfacePoint<double> &point)
-          {
-            if (q == 0)
-              evaluate_field(tables, nodes, curvature_vector, 1, h.data());
-            const double *const at = &h[18 * q];
-            sum += 0.5 * weight * dot(Vector3<double>(at[0], at[1], at[2]), point.area_vector);
-          });
-  return sum;
+  return normal_part(discretization, positions, curvature_vector).sum(); // the shape functions add up to 1
 }
 } // namespace pellicle

@@ -26,6 +26,8 @@ std::array<double, 3> normalise(SurfaceDiscretization &discretization, const dou
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
     for (unsigned int c = 0; c < 3; ++c)
       discretization.positions[3 * I + c] = (discretization.positions[3 * I + c] - centre[c]) / length;
+  for (double &x : discretization.mesh_reference)
+    x /= length;
   return centre;
 }
 } // namespace
@@ -110,7 +112,9 @@ StepResult SurfaceModel::solve(const int step, Observer &observer)
 {
   StepResult         result;
   const SurfaceState before    = problem->state();
-  const NodalVectors reference = before.fields[0];
+  const NodalVectors reference = newton.mesh_reference == "sphere" && !discretization.mesh_reference.empty()
+                                         ? discretization.mesh_reference
+                                         : before.fields[0];
   const auto         iterate   = [&](const PositionChart chart) {
     problem->use_chart(chart, reference);
     Newton             method(newton, *solver, timing);

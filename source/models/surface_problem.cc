@@ -11,6 +11,7 @@ namespace pellicle
 namespace
 {
 constexpr double rigid_rho     = 1e4; // stiffness of the gauge against rigid motions; its size has no influence on a solution
+constexpr double chart_reach   = 0.1; // displacement, relative to the length, after which normals and gauge are renewed
 constexpr double merit_penalty = 10.; // of squared constraint violations in the merit, internal units
 
 // w_I (t + r x x_I) for each rigid motion.
@@ -84,9 +85,8 @@ void SurfaceProblem::set_state(SurfaceState state)
 
 void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors &mesh_reference)
 {
-  chart                         = new_chart;
-  const NodalVectors &positions = current.fields[0];
-  const NodalVectors  normals   = nodal_normals(discretization, positions);
+  chart                   = new_chart;
+  current.rigid_reactions.assign(chart == PositionChart::ale ? discretization.rigid_motions.size() : 0, 0.);
   if (chart == PositionChart::ale)
   {
     const auto invariant = [](const Potential &p) {
@@ -104,15 +104,29 @@ void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors
     mesh_assembler = std::make_unique<Assembler>(discretization, *mesh_layout, communicator, Assembler::everything(mesh_set, *mesh_layout));
   }
 
+  system = std::make_unique<BorderedSystem>(
+      discretization, Numbering(charts_here(), set.constraints.size(), discretization.rigid_motions.size()), communicator);
+  recentre_chart();
+}
+
+std::vector<NodalChart> SurfaceProblem::charts_here() const
+{
+  const NodalVectors      normals = nodal_normals(discretization, current.fields[0]);
   std::vector<NodalChart> charts;
   for (const Field &field : field_layout.fields())
     charts.push_back(field.name != "position"       ? free_chart(discretization)
                      : chart == PositionChart::graph ? graph_chart(discretization, normals)
                                                      : ale_chart(discretization, normals));
-  system = std::make_unique<BorderedSystem>(
-      discretization, Numbering(std::move(charts), set.constraints.size(), discretization.rigid_motions.size()), communicator);
-  node_areas       = nodal_areas(discretization, positions);
-  rigid_directions = weighted_rigid_motions(discretization, positions, node_areas);
+  return charts;
+}
+
+// Normals, weights and rigid motions of the present shape. While a solve converges quadratically they stay as they are.
+void SurfaceProblem::recentre_chart()
+{
+  system->set_charts(charts_here());
+  node_areas       = nodal_areas(discretization, current.fields[0]);
+  rigid_directions = weighted_rigid_motions(discretization, current.fields[0], node_areas);
+  moved_in_chart   = 0.;
 }
 
 std::vector<const AssemblyCounters *> SurfaceProblem::counters() const
@@ -147,7 +161,7 @@ void SurfaceProblem::linearize()
   for (std::size_t k = 0; k < set.constraints.size(); ++k)
     system->set_constraint(k, 1. / set.constraints[k].stiffness, constraint_residual(k, current_values, current.multipliers[k]));
   for (std::size_t k = 0; k < rigid_directions.size(); ++k)
-    system->set_rigid_motion(k, rigid_directions[k], 1. / rigid_rho);
+    system->set_rigid_motion(k, rigid_directions[k], 1. / rigid_rho, with_mesh ? current.rigid_reactions[k] : 0.);
   system->finish();
 }
 
@@ -249,6 +263,8 @@ double SurfaceProblem::try_step(const std::vector<double> &direction, const doub
   for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
     system->prolongate(direction, length, f, trial.fields[f]);
   trial.multipliers = full_step_multipliers(direction);
+  for (std::size_t k = 0; k < trial.rigid_reactions.size(); ++k)
+    trial.rigid_reactions[k] += direction[system->numbering().n_nodal + trial.multipliers.size() + k];
   if (!elimination.empty() && !elimination.solve(set, trial.multipliers, trial.fields))
     return std::numeric_limits<double>::infinity();
   trial_values = evaluate(trial.fields);
@@ -257,8 +273,14 @@ double SurfaceProblem::try_step(const std::vector<double> &direction, const doub
 
 void SurfaceProblem::accept_trial()
 {
+  double largest = 0.;
+  for (std::size_t i = 0; i < trial.fields[0].size(); ++i)
+    largest = std::max(largest, std::abs(trial.fields[0][i] - current.fields[0][i]));
+  moved_in_chart += largest;
   current        = trial;
   current_values = trial_values;
+  if (moved_in_chart > chart_reach)
+    recentre_chart();
 }
 
 double SurfaceProblem::displacement(const std::vector<double> &direction) const

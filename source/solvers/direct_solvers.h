@@ -19,7 +19,7 @@ std::unique_ptr<LinearSolver> make_umfpack_solver();
 /**
  * A pivot smaller than this times the matrix (scaled to entries of order one) counts as zero. Round-off of size eps in
  * an eigenvalue whose eigenvector is spread over all n unknowns shows as n eps in the last pivot; on singular
- * Laplacians a thirtieth of that was measured.
+ * Laplacians less than a thirtieth of that was measured.
  */
 inline double null_pivot_threshold(const int n)
 {
@@ -32,7 +32,8 @@ inline bool all_finite(const SparseMatrix &matrix)
   return std::all_of(matrix.values.begin(), matrix.values.end(), [](const double v) { return std::isfinite(v); });
 }
 
-constexpr auto not_finite_message =
-    "The matrix of the linear system has entries that are not finite numbers; the state or the "
-    "parameters it was assembled from are out of range.";
+constexpr auto not_finite_message = "The matrix of the linear system has entries that are not finite numbers: the "
+                                    "state or a parameter it was assembled from is out of range.";
+
+constexpr auto usual_cause = "The usual cause is a free motion or a redundant constraint.";
 } // namespace pellicle::internal

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // MUMPS through its C interface: multifrontal LDL^T (symmetric) or LU (general), over all processes of MPI_COMM_WORLD.
+// With several processes sums are made in the order in which messages arrive: results then repeat to round-off only.
 #include <pellicle/base/exceptions.h>
 
 #include "direct_solvers.h"
@@ -13,8 +14,8 @@ namespace pellicle::internal
 {
 namespace
 {
-/** One MUMPS instance from initialisation to end. Calls are collective; control and info arrays are accessed with the
- * manual's indices. */
+/** One MUMPS instance from initialisation to end. Calls are collective; control and info arrays have the manual's
+ * indices. */
 class MumpsInstance
 {
 public:
@@ -27,12 +28,10 @@ public:
       throw SolveError("MUMPS cannot be started (INFOG(1) = " + std::to_string(infog(1)) + ").");
     for (const int stream : {1, 2, 3})
       icntl(stream) = -1; // no messages: errors come as exceptions
-    icntl(4) = 0;
-    icntl(7) = 6; // QAMD, a minimum degree ordering that sets nearly dense rows (constraints) aside
-    // Sequential and undistributed root: the count of negative pivots includes it. Null pivots are found, not divided
-    // by.
-    icntl(13) = 1;
-    icntl(24) = 1;
+    icntl(4)  = 0;
+    icntl(7)  = 6; // QAMD, a minimum degree ordering that sets nearly dense rows (constraints) aside
+    icntl(13) = 1; // the root is factorised by one process, so that its negative pivots are counted, too
+    icntl(24) = 1; // null pivots are found, not divided by
     icntl(18) = 3; // every process passes entries of its own, also at the analysis; entries at the same place are added
     icntl(28) = 1; // sequential analysis
   }
@@ -71,16 +70,11 @@ std::string cause(const int error, const int detail)
   case -5:
   case -7:
   case -13:
-  case -19:
     return "not enough memory for the factors";
   case -6:
     return "the matrix is singular in structure (structural rank " + std::to_string(detail) + ")";
   case -8:
   case -9:
-  case -11:
-  case -12:
-  case -14:
-  case -15:
   case -17:
   case -20:
     return "the work space stayed too small although it was enlarged several times";
@@ -134,9 +128,8 @@ public:
       pivots = Inertia{matrix.size - mumps->infog(12) - n_null, mumps->infog(12), n_null};
     if (n_null > 0)
       throw SolveError("The matrix of the linear system is singular to working precision: MUMPS found " +
-                       std::to_string(n_null) + " null pivot" + (n_null > 1 ? "s" : "") + " among " +
-                       std::to_string(matrix.size) +
-                       " unknowns. A free motion or a redundant constraint is the usual cause.");
+                       std::to_string(n_null) + (n_null > 1 ? " null pivots" : " null pivot") + " among " +
+                       std::to_string(matrix.size) + ". " + usual_cause);
     factorised = true;
   }
 
@@ -192,8 +185,7 @@ private:
     mumps = std::move(instance);
   }
 
-  /** Pivots postponed for stability need more room than the analysis foresaw: ICNTL(14), the spare per cent, is then
-   * doubled. */
+  /** Postponed pivots need more room than the analysis foresaw: ICNTL(14), the spare per cent, is then doubled. */
   void factorise_with_growing_work_space()
   {
     constexpr int n_attempts = 6;

@@ -16,6 +16,7 @@ constexpr double largest_drag           = 1e12;  // beyond it no step is left
 constexpr double round_off_of_merit     = 1e-9;  // relative: predicted changes below it are accepted untested
 constexpr double near_equilibrium       = 1e-4;  // relative predicted change below which negative pivots are tolerated
 constexpr double sufficient_decrease    = 1e-4;  // Armijo
+constexpr double tolerated_increase     = 1e-3;  // of the merit, relative, where it is only a guard
 constexpr double shortest_step          = 0.1;
 constexpr double constraint_tolerance   = 1e-11; // relative
 constexpr double stagnation_displacement = 1e-8; // relative displacement that counts as round-off if the residual is small too
@@ -36,6 +37,9 @@ void NewtonParameters::bind(ParameterSection &section)
   section.choice("Chart", chart, {"graph then ale", "graph", "ale"},
                  "Unknowns of the position. graph: displacement along the nodal normals (symmetric, robust). ale: all components, tangential ones fixed "
                  "by a mesh energy (better meshes, more accurate). graph then ale: the first to globalise, the second to polish.");
+  section.choice("Mesh reference", mesh_reference, {"start of step", "sphere"},
+                 "Metric that the mesh energy of the ALE chart prefers: that of the surface at the start of the load step, or that of the sphere "
+                 "which the start shape is a map of (evenly spread cells; cleans a distorted mesh).");
   section.choice("Linear solver", linear_solver, linear_solver_names(),
                  "Direct solver: mumps (LDL^T with inertia, MPI) or umfpack (LU, one process).");
   section.integer("Threads", threads, 1, 256, "Threads of the BLAS in factorisations.");
@@ -48,9 +52,8 @@ Newton::Newton(const NewtonParameters &parameters, LinearSolver &solver, Timing 
 NewtonResult Newton::solve(EquilibriumProblem &problem, const int step, Observer &observer, const int iterations_before)
 {
   NewtonResult result;
-  drag                   = problem.is_variational() ? parameters.initial_drag : 0.;
+  drag                   = parameters.initial_drag;
   double    last_move    = std::numeric_limits<double>::infinity();
-  double    first_residual = 0.;
   IterationReport report;
   report.step = step;
   for (;;)
@@ -58,9 +61,7 @@ NewtonResult Newton::solve(EquilibriumProblem &problem, const int step, Observer
     const double start = timing.total();
     problem.linearize();
     result.relative_residual = problem.relative_residual();
-    if (result.iterations == 0)
-      first_residual = result.relative_residual;
-    else
+    if (result.iterations > 0)
     {
       report.relative_residual = result.relative_residual;
       report.energy            = problem.energy();
@@ -73,10 +74,9 @@ NewtonResult Newton::solve(EquilibriumProblem &problem, const int step, Observer
       result.converged = true;
       return result;
     }
-    if (!std::isfinite(result.relative_residual) ||
-        (!problem.is_variational() && result.relative_residual > 1e3 * std::max(first_residual, 1e-3)))
+    if (!std::isfinite(result.relative_residual))
     {
-      result.failure = "the residual grows";
+      result.failure = "the residual is not finite";
       return result;
     }
     if (result.iterations == parameters.max_iterations)
@@ -125,19 +125,27 @@ bool Newton::advance(EquilibriumProblem &problem, NewtonResult &result, Iteratio
       return false;
     }
 
-    // Step 2: without a merit, go as far as the trust region allows
+    // Step 2: where mesh equations replace some of the merit's, the merit only guards against going astray
+    const double merit = problem.merit(direction), scale = 1. + std::abs(merit);
     if (!problem.is_variational())
     {
       const double length = std::min(1., parameters.step_limit / displacement);
-      problem.try_step(direction, length);
-      problem.accept_trial();
-      report.step_length = length * displacement;
-      return true;
+      const double trial  = problem.try_step(direction, length);
+      if (std::isfinite(trial) && trial <= merit + tolerated_increase * scale)
+      {
+        problem.accept_trial();
+        report.step_length = length * displacement;
+        if (length == 1.)
+          drag = 0.1 * drag < smallest_drag ? 0. : 0.1 * drag;
+        return true;
+      }
+      if (!increase_drag(result))
+        return false;
+      continue;
     }
 
     // Step 3: is the direction one of descent, towards a minimum, and within the trust region?
-    const double slope       = problem.merit_slope(direction), merit = problem.merit(direction);
-    const double scale       = 1. + std::abs(merit);
+    const double slope       = problem.merit_slope(direction);
     const bool   significant = std::abs(slope) > round_off_of_merit * scale;
     const bool   saddle      = inertia && inertia->negative > problem.expected_negative_pivots() && std::abs(slope) > near_equilibrium * scale;
     if (!(significant && (slope >= 0. || saddle || displacement > parameters.step_limit)))
@@ -155,12 +163,16 @@ bool Newton::advance(EquilibriumProblem &problem, NewtonResult &result, Iteratio
         return true;
       }
     }
-    drag = std::max(10. * drag, first_drag);
-    if (drag > largest_drag)
-    {
-      result.failure = "no step lowers the energy, however short";
+    if (!increase_drag(result))
       return false;
-    }
   }
+}
+
+bool Newton::increase_drag(NewtonResult &result)
+{
+  drag = std::max(10. * drag, first_drag);
+  if (drag > largest_drag)
+    result.failure = "no step lowers the energy, however short";
+  return drag <= largest_drag;
 }
 } // namespace pellicle

@@ -7,6 +7,7 @@
 #include <umfpack.h>
 
 #include <array>
+#include <sstream>
 
 namespace pellicle::internal
 {
@@ -100,11 +101,12 @@ public:
       fail("factorisation", status);
     // UMFPACK_RCOND: smallest over largest pivot.
     if (status == UMFPACK_WARNING_singular_matrix || !(info[UMFPACK_RCOND] > null_pivot_threshold(matrix.size)))
-      throw SolveError("The matrix of the linear system is singular to working precision: in UMFPACK the pivots' "
-                       "smallest to largest "
-                       "ratio is " +
-                       std::to_string(info[UMFPACK_RCOND]) +
-                       ". A free motion or a redundant constraint is the usual cause.");
+    {
+      std::ostringstream message;
+      message << "The matrix of the linear system is singular to working precision: in UMFPACK the smallest of "
+              << matrix.size << " pivots is " << info[UMFPACK_RCOND] << " times the largest. " << usual_cause;
+      throw SolveError(message.str());
+    }
     numeric = std::move(factors);
   }
 

@@ -4,6 +4,8 @@
 #include "msh_writer.h"
 #include "sample_meshes.h"
 
+#include <algorithm>
+
 namespace
 {
 using namespace pellicle;
@@ -30,7 +32,7 @@ TEST(MshReader, ReadsQuadrilateralsAndTrianglesAndNothingElse)
   for (const bool triangles : {false, true})
   {
     const PolygonMesh written = triangles ? cut_into_triangles(quad_sphere(2)) : quad_sphere(2);
-    PolygonMesh       read    = read_msh(write_text(msh_text(written)));
+    PolygonMesh read          = read_msh(write_text(msh_text(written)));
     ASSERT_EQ(read.polygons.size(), written.polygons.size());
     ASSERT_EQ(read.vertices.size(), written.vertices.size()); // the unused node is gone
     for (std::size_t p = 0; p < read.polygons.size(); ++p)
@@ -58,7 +60,7 @@ TEST(MshReader, AcceptsWindowsLineEndsAndBlankLines)
 TEST(MshReader, NamesFileAndLineOfMistakes)
 {
   const std::string good = msh_text(quad_sphere(1));
-  const auto        read = [&](const std::string &text) { return read_msh(write_text(text)); };
+  const auto read        = [&](const std::string &text) { return read_msh(write_text(text)); };
 
   EXPECT_USER_ERROR(read_msh("/no/such/file.msh"), "'/no/such/file.msh' cannot be opened");
   EXPECT_USER_ERROR(read(""), "not a Gmsh mesh");
@@ -71,14 +73,16 @@ TEST(MshReader, NamesFileAndLineOfMistakes)
   EXPECT_USER_ERROR(read(good.substr(0, good.find("$Elements"))), "no surface elements");
   EXPECT_USER_ERROR(read(replaced(good, "2 1 3 6\n", "2 1 3 7\n")), "$Elements ends too early", "fewer entries");
   EXPECT_USER_ERROR(read(replaced(good, "2 1 0 9\n", "2 1 0 99999999999999\n")), "is not a whole number");
-  EXPECT_USER_ERROR(read(replaced(good, "2 1 0 9\n", "2 1 0 99999999999999999999999\n")), "'99999999999999999999999' is not a whole number");
+  EXPECT_USER_ERROR(read(replaced(good, "2 1 0 9\n", "2 1 0 99999999999999999999999\n")),
+                    "'99999999999999999999999' is not a whole number");
   EXPECT_USER_ERROR(read(replaced(good, "5 5 5\n", "5 five 5\n")), "'five' is not a number");
   EXPECT_USER_ERROR(read(replaced(good, "5 5 5\n", "5 nan 5\n")), "'nan' is not a finite number");
   EXPECT_USER_ERROR(read(replaced(good, "5 5 5\n", "5 5\n")), "expected 3 numbers", "found 2");
   EXPECT_USER_ERROR(read(replaced(good, "\n13\n", "\n-13\n")), "'-13' is not a whole number");
   EXPECT_USER_ERROR(read(replaced(good, "\n13\n", "\n16\n")), "node 16 is given twice");
   EXPECT_USER_ERROR(read(replaced(good, "\n100000\n", "\n100001\n$")), "$Nodes ends too early");
-  EXPECT_USER_ERROR(read(replaced(good, "\n2 10 13 16 19\n", "\n2 10 13 16 777\n")), ".msh:35:", "element 2 uses node 777", "does not define");
+  EXPECT_USER_ERROR(read(replaced(good, "\n2 10 13 16 19\n", "\n2 10 13 16 777\n")),
+                    ".msh:35:", "element 2 uses node 777", "does not define");
   EXPECT_USER_ERROR(read(replaced(good, "\n2 10 13 16 19\n", "\n2 10 13 13 19\n")), "element 2 uses node 13 twice");
   EXPECT_USER_ERROR(read(replaced(good, "\n2 10 13 16 19\n", "\n2 10 13 16\n")), "expected 5 numbers");
   EXPECT_USER_ERROR(read(replaced(good, "2 1 3 6\n", "2 1 10 6\n")), "9-node quadrilaterals (type 10)", "-order 1");
@@ -92,7 +96,7 @@ TEST(Orientation, FlippedFacetsAreTurnedOutwards)
   for (const bool triangles : {false, true})
   {
     const PolygonMesh outward = triangles ? cut_into_triangles(quad_sphere(3)) : quad_sphere(3);
-    PolygonMesh       mesh    = flipped_at_random(outward);
+    PolygonMesh mesh          = flipped_at_random(outward);
     EXPECT_LT(volume(mesh), .5 * volume(outward));
     orient_closed_surface(mesh);
     EXPECT_NEAR(volume(mesh), volume(outward), 1e-14);
@@ -109,18 +113,20 @@ TEST(Orientation, SurfacesThatAreNotClosedManifoldsAreRefused)
 {
   PolygonMesh open = quad_sphere(2);
   open.polygons.pop_back();
-  EXPECT_USER_ERROR(orient_closed_surface(open), "sample: edge (", "belongs to one cell only", "closed surface is needed");
+  EXPECT_USER_ERROR(orient_closed_surface(open), "sample: edge (", "belongs to one cell only",
+                    "closed surface is needed");
 
   PolygonMesh fin = quad_sphere(2);
   fin.vertices.emplace_back(2., 2., 2.);
   fin.vertex_names.push_back(4711);
-  add_polygon(fin, {fin.polygons[0].vertices[0], fin.polygons[0].vertices[1], static_cast<unsigned int>(fin.vertices.size() - 1)});
+  add_polygon(fin, {fin.polygons[0].vertices[0], fin.polygons[0].vertices[1],
+                    static_cast<unsigned int>(fin.vertices.size() - 1)});
   EXPECT_USER_ERROR(orient_closed_surface(fin), "edge (");
   PolygonMesh repeated = quad_sphere(2);
   repeated.polygons.push_back(repeated.polygons[3]);
   EXPECT_USER_ERROR(orient_closed_surface(repeated), "belongs to 3 cells", "non-manifold");
 
-  PolygonMesh       two = quad_sphere(1);
+  PolygonMesh two       = quad_sphere(1);
   const PolygonMesh one = quad_sphere(1);
   for (const auto &x : one.vertices)
   {
@@ -140,7 +146,7 @@ TEST(Orientation, SurfacesThatAreNotClosedManifoldsAreRefused)
 TEST(Orientation, PinchedVertexIsRefused)
 {
   // Two opposite vertices of a sphere made one: all edges are still shared by two cells.
-  PolygonMesh  mesh = quad_sphere(4);
+  PolygonMesh mesh = quad_sphere(4);
   unsigned int top = 0, bottom = 0;
   for (unsigned int v = 0; v < mesh.vertices.size(); ++v)
   {

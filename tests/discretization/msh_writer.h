@@ -12,18 +12,19 @@ namespace pellicle
 /** Writes the text to a file of its own in the test directory and returns its name. */
 inline std::string write_text(const std::string &text)
 {
-  static int        number = 0;
-  const auto       *test   = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file   = testing::TempDir() + "pellicle_" + test->name() + "_" + std::to_string(number++) + ".msh";
+  static int number      = 0;
+  const auto *test       = testing::UnitTest::GetInstance()->current_test_info();
+  const std::string file = testing::TempDir() + "pellicle_" + test->name() + "_" + std::to_string(number++) + ".msh";
   std::ofstream(file, std::ios::binary) << text;
   return file;
 }
 
-/** MSH 4.1 ASCII text of a mesh: one block of nodes (with tags that neither begin at 1 nor are consecutive), one of triangles and one of
- *  quadrilaterals, and what a reader must pass over: another section, a line element, a node that nobody uses. */
+/** MSH 4.1 ASCII text of a mesh: one block of nodes (with tags that neither begin at 1 nor are consecutive), one of
+ * triangles and one of quadrilaterals, and what a reader must pass over: another section, a line element, a node that
+ * nobody uses. */
 inline std::string msh_text(const PolygonMesh &mesh)
 {
-  const auto  tag = [](const std::size_t v) { return std::to_string(10 + 3 * v); };
+  const auto tag      = [](const std::size_t v) { return std::to_string(10 + 3 * v); };
   std::size_t n_of[5] = {};
   for (const Polygon &polygon : mesh.polygons)
     ++n_of[polygon.n_vertices];
@@ -43,7 +44,8 @@ inline std::string msh_text(const PolygonMesh &mesh)
   text += "5 5 5\n$EndNodes\n";
 
   const int n_blocks = 1 + (n_of[3] > 0) + (n_of[4] > 0);
-  text += "$Elements\n" + std::to_string(n_blocks) + " " + std::to_string(n_elements) + " 1 " + std::to_string(n_elements) + "\n";
+  text += "$Elements\n" + std::to_string(n_blocks) + " " + std::to_string(n_elements) + " 1 " +
+          std::to_string(n_elements) + "\n";
   text += "1 1 1 1\n1 " + tag(0) + " " + tag(1) + "\n";
   std::size_t number = 2;
   for (const unsigned int n : {3u, 4u})

@@ -3,6 +3,8 @@
 
 #include <pellicle/discretization/polygon_mesh.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -30,7 +32,8 @@ inline void name_vertices(PolygonMesh &mesh)
 inline PolygonMesh quad_sphere(const unsigned int n)
 {
   PolygonMesh mesh;
-  const auto  vertex = [&](const Vector3<double> &on_cube) {
+  const auto vertex = [&](const Vector3<double> &on_cube)
+  {
     const Vector3<double> x = on_cube / norm(on_cube);
     for (unsigned int v = 0; v < mesh.vertices.size(); ++v)
       if (norm(mesh.vertices[v] - x) < 1e-9)
@@ -81,14 +84,23 @@ inline PolygonMesh flipped_at_random(PolygonMesh mesh)
   return mesh;
 }
 
-/** The projective plane on six vertices: every one of the 15 edges belongs to two of the 10 triangles, but it has no inside. */
+/** The projective plane on six vertices: every one of the 15 edges belongs to two of the 10 triangles, but it has no
+ * inside. */
 inline PolygonMesh projective_plane()
 {
   PolygonMesh mesh;
   for (int v = 0; v < 6; ++v)
     mesh.vertices.emplace_back(std::cos(v), std::sin(2. * v), .3 * v);
-  for (const auto &t : std::vector<std::vector<unsigned int>>{
-           {0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}, {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}})
+  for (const auto &t : std::vector<std::vector<unsigned int>>{{0, 1, 2},
+                                                              {0, 2, 3},
+                                                              {0, 3, 4},
+                                                              {0, 4, 5},
+                                                              {0, 5, 1},
+                                                              {1, 2, 4},
+                                                              {2, 3, 5},
+                                                              {3, 4, 1},
+                                                              {4, 5, 2},
+                                                              {5, 1, 3}})
     add_polygon(mesh, t);
   name_vertices(mesh);
   return mesh;

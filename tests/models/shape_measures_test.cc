@@ -37,7 +37,7 @@ TEST(ShapeMeasures, SpheroidOnTheCubeSphere)
   EXPECT_NEAR(m.area, exact.area, 1e-6 * exact.area);
   EXPECT_NEAR(m.volume, exact.volume, 1e-6 * exact.volume);
   EXPECT_NEAR(m.reduced_volume, exact.reduced_volume(), 1e-6);
-  EXPECT_NEAR(m.height, 2. * c, 1e-12); // the poles are nodes
+  EXPECT_NEAR(m.height, 2. * c, 1e-10); // the poles are nodes, the surface between them bulges a little
   EXPECT_NEAR(m.axis_thickness, 2. * c, 1e-12);
   EXPECT_NEAR(m.equatorial_radius, a, 1e-5);
   EXPECT_NEAR(m.gauss_bonnet, 2., 1e-3);
@@ -63,13 +63,13 @@ TEST(ShapeMeasures, ExtentIsThatOfTheCurvedSurface)
     for (std::size_t I = 0; I < surface.n_nodes; ++I)
       of_nodes = std::max(of_nodes, tilted[3 * I + 2]);
     errors[r - 2] = std::abs(m.height - 2.);
-    EXPECT_LT(errors[r - 2], 0.05 * (1. - of_nodes));
+    EXPECT_LT(errors[r - 2], 0.1 * (1. - of_nodes));
     EXPECT_NEAR(m.axis_thickness, m.height, 1e-4);
   }
   EXPECT_LT(errors[1], errors[0] / 8.);
 }
 
-// One cell, a bilinear-quadratic graph with a known top inside the cell.
+// A bent sphere on large cells: maxima of all sorts of functions, on faces, edges and vertices of cells.
 TEST(ShapeMeasures, LargestValueInsideACell)
 {
   const auto surface      = on_cube_sphere(sphere(1.), 5, 1);
@@ -220,7 +220,7 @@ TEST(ShapeMeasures, MeridianAgreesWithSurface)
     EXPECT_NEAR(a.axis_thickness, b.axis_thickness, 1e-10);
     EXPECT_NEAR(a.centroid[2], b.centroid[2], 1e-4);
     EXPECT_NEAR(b.gauss_bonnet, 2., 1e-4);
-    EXPECT_EQ(b.min_cell_quality, 1.);
+    EXPECT_NEAR(b.min_cell_quality, 1., 1e-14);
     EXPECT_EQ(b.centroid[0], 0.);
     EXPECT_GT(b.cell_area_ratio, 1.);
     if (shape.up_down_symmetric)

@@ -149,16 +149,17 @@ SparseMatrix congruent_to(const std::vector<double> &d)
 }
 } // namespace
 
+// Random matrices are badly conditioned (up to 1e6 here), hence the wide tolerance of two tests.
 TEST(LinearSolver, SolvesRandomSymmetricIndefiniteSystems)
 {
   for (const std::string &name : solvers_for_this_run())
-    expect_solves(*make_linear_solver(name), random_matrix(MatrixSymmetry::symmetric, 500, 3));
+    expect_solves(*make_linear_solver(name), random_matrix(MatrixSymmetry::symmetric, 500, 3), 1e-8);
 }
 
 TEST(LinearSolver, SolvesRandomUnsymmetricSystems)
 {
   for (const std::string &name : solvers_for_this_run())
-    expect_solves(*make_linear_solver(name), random_matrix(MatrixSymmetry::general, 500, 4));
+    expect_solves(*make_linear_solver(name), random_matrix(MatrixSymmetry::general, 500, 4), 1e-8);
 }
 
 TEST(LinearSolver, SolvesBorderedSaddlePointSystems)
@@ -308,7 +309,7 @@ TEST(LinearSolver, LeavesTheMatrixAndOtherRightHandSidesAlone)
     solver->solve(first);
     solver->solve(second);
     solver->solve(again);
-    EXPECT_EQ(first, again) << name;
+    expect_near(first, again, 1e-13); // with several processes MUMPS sums in the order of arrival
     EXPECT_EQ(matrix.values, copy.values) << name;
   }
 }

@@ -43,7 +43,7 @@ struct Numbering
  *     [ A^T -1/c  0    ] [ dlambda ] = - [ g - g_0 - lambda/c ]
  *     [ R^T  0   -1/rho] [ mu      ]     [ 0       ]
  *
- * Direct solvers take the dense rows as they are. mu is zero at a solution: the rigid rows only make the matrix regular. Each process holds the
+ * Direct solvers take the dense rows as they are. mu is zero at a solution (for a symmetric matrix; see set_rigid_motion): the rigid rows make it regular. Each process holds the
  * contributions of its own cells; residuals are complete on every process after finish().
  */
 class BorderedSystem
@@ -52,6 +52,8 @@ public:
   BorderedSystem(const SurfaceDiscretization &discretization, Numbering numbering, const Communicator &communicator);
 
   const Numbering &numbering() const { return unknowns; }
+  /** Other directions for the same numbers of unknowns: pattern and analysis stay. */
+  void set_charts(std::vector<NodalChart> charts) { unknowns.charts = std::move(charts); }
 
   void begin();
   /** Adds a cell. `mesh`: the mesh energy's contribution, for charts with mesh equations (else null). */
@@ -60,8 +62,9 @@ public:
   void add_cell_residual(std::size_t cell, const Element &physics);
   /** Border: value -1/c on the diagonal of constraint k and its residual. */
   void set_constraint(std::size_t k, double compliance, double residual);
-  /** Border row of a rigid motion: `direction` is a nodal vector field (already weighted), on the diagonal -1/rho. */
-  void set_rigid_motion(std::size_t k, const NodalVectors &direction, double inverse_rho);
+  /** Border row of a rigid motion: `direction` is a nodal vector field (already weighted), on the diagonal -1/rho. Its reaction so far times the
+   *  direction is part of the residual. */
+  void set_rigid_motion(std::size_t k, const NodalVectors &direction, double inverse_rho, double reaction);
   /** Sums residuals over the processes. */
   void finish();
 

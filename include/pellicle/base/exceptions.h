@@ -24,7 +24,8 @@ public:
 } // namespace pellicle
 
 /**
- * Our own mistakes (preconditions, index ranges), checked in Debug builds only. Users' mistakes are exceptions, in every build.
+ * Our own mistakes (preconditions, index ranges), checked in Debug builds only. Users' mistakes are exceptions, in
+ * every build.
  */
 #ifdef NDEBUG
 #define PELLICLE_ASSERT(condition, message) ((void)0)

@@ -6,9 +6,12 @@
 
 namespace pellicle
 {
-/** The candidates closest to a misspelt word (at most `most`), best first; empty when none resembles it. Case is ignored. */
-std::vector<std::string> near_matches(const std::string &word, const std::vector<std::string> &candidates, unsigned int most = 3);
+/** The candidates closest to a misspelt word (at most `most`), best first; empty when none resembles it. Case is
+ * ignored. */
+std::vector<std::string> near_matches(const std::string &word, const std::vector<std::string> &candidates,
+                                      unsigned int most = 3);
 
-/** " Did you mean 'a' or 'b'?" from near_matches(), or " Possible: 'a', 'b', ... ." with all candidates when none is near. */
+/** " Did you mean 'a' or 'b'?" from near_matches(), or " Possible: 'a', 'b', ... ." with all candidates when none is
+ * near. */
 std::string suggestion(const std::string &word, const std::vector<std::string> &candidates);
 } // namespace pellicle

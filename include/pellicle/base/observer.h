@@ -10,24 +10,24 @@ namespace pellicle
 /** What one accepted Newton iteration reports. */
 struct IterationReport
 {
-  int    step              = 0;
-  int    iteration         = 0;
+  int step                 = 0;
+  int iteration            = 0;
   double relative_residual = 0.;
   double step_length       = 0.;
   double energy            = 0.; ///< in the user's units
-  int    rejected          = 0;  ///< trials rejected before this one
+  int rejected             = 0;  ///< trials rejected before this one
   double seconds           = 0.;
 };
 
 /** What one finished load or time step reports. */
 struct StepReport
 {
-  int                                         step = 0;
-  double                                      fraction_done = 1.; ///< of the whole run, for the estimate of the time left
-  std::string                                 stepped_parameter;  ///< empty without load stepping
-  double                                      stepped_value = 0.;
-  int                                         iterations    = 0;
-  std::vector<std::pair<std::string, double>> quantities;         ///< name, value in the user's units
+  int step             = 0;
+  double fraction_done = 1.;     ///< of the whole run, for the estimate of the time left
+  std::string stepped_parameter; ///< empty without load stepping
+  double stepped_value = 0.;
+  int iterations       = 0;
+  std::vector<std::pair<std::string, double>> quantities; ///< name, value in the user's units
 };
 
 /** Watches a run. Solvers call it; files and the terminal implement it. */

@@ -14,11 +14,11 @@ namespace pellicle
 /** Closed or open interval of allowed numbers. */
 struct Range
 {
-  double lower      = -std::numeric_limits<double>::infinity();
-  double upper      = std::numeric_limits<double>::infinity();
-  bool   lower_open = false; ///< value > lower instead of >=
-  bool   upper_open = false;
-  bool   allow_inf  = false; ///< "inf" is a meaningful value
+  double lower    = -std::numeric_limits<double>::infinity();
+  double upper    = std::numeric_limits<double>::infinity();
+  bool lower_open = false; ///< value > lower instead of >=
+  bool upper_open = false;
+  bool allow_inf  = false; ///< "inf" is a meaningful value
 
   static Range any() { return {}; }
   static Range positive() { return {0., std::numeric_limits<double>::infinity(), true, false, false}; }
@@ -39,8 +39,9 @@ struct Range
 };
 
 /**
- * One section of a scene, seen from a plain struct of parameters: every member is bound once to its name, range, dimension and
- * text. Declaring, reading, scaling, writing and the manual's parameter chapter all follow from the same binding:
+ * One section of a scene, seen from a plain struct of parameters: every member is bound once to its name, range,
+ * dimension and text. Declaring, reading, scaling, writing and the manual's parameter chapter all follow from the same
+ * binding:
  *
  *     struct SurfaceTensionParameters
  *     {
@@ -52,7 +53,8 @@ struct Range
  *       }
  *     };
  *
- * The section keeps references to the members: it must not outlive them. The value a member has while it is bound is its default.
+ * The section keeps references to the members: it must not outlive them. The value a member has while it is bound is
+ * its default.
  */
 class ParameterSection
 {
@@ -60,18 +62,22 @@ public:
   /** One bound member. */
   struct Entry
   {
-    std::string                                                               name;
-    std::string                                                               text;
+    std::string name;
+    std::string text;
     std::variant<double *, int *, bool *, std::string *, std::vector<double> *> target;
-    Range                                                                     range;     // numbers and integers
-    Dimension                                                                 dimension; // numbers
-    std::vector<std::string>                                                  choices;   // texts; empty: free text
+    Range range;                      // numbers and integers
+    Dimension dimension;              // numbers
+    std::vector<std::string> choices; // texts; empty: free text
   };
 
-  explicit ParameterSection(std::string name) : section_name(std::move(name)) {}
+  explicit ParameterSection(std::string name)
+      : section_name(std::move(name))
+  {
+  }
 
   /** A real number; in scenes an expression such as `4*pi` may stand for it. */
-  void number(const std::string &name, double &target, const Range &range, Dimension dimension, const std::string &text);
+  void number(const std::string &name, double &target, const Range &range, Dimension dimension,
+              const std::string &text);
   /** A whole number in [lower, upper]. */
   void integer(const std::string &name, int &target, int lower, int upper, const std::string &text);
   /** true or false. */
@@ -84,11 +90,11 @@ public:
   void numbers(const std::string &name, std::vector<double> &target, const Range &range, Dimension dimension,
                const std::string &text);
 
-  const std::string        &name() const { return section_name; }
+  const std::string &name() const { return section_name; }
   const std::vector<Entry> &entries() const { return bound; }
 
 private:
-  std::string        section_name;
+  std::string section_name;
   std::vector<Entry> bound;
 };
 

@@ -17,18 +17,30 @@ struct Dimension
     const int code = 100 * energy + length;
     switch (code)
     {
-    case 0: return "1";
-    case 1: return "length";
-    case 2: return "length^2";
-    case 3: return "length^3";
-    case -1: return "1/length";
-    case -2: return "1/length^2";
-    case 100: return "energy";
-    case 99: return "energy/length";
-    case 98: return "energy/length^2";
-    case 97: return "energy/length^3";
-    case 96: return "energy/length^4";
-    default: return "energy^a length^b";
+    case 0:
+      return "1";
+    case 1:
+      return "length";
+    case 2:
+      return "length^2";
+    case 3:
+      return "length^3";
+    case -1:
+      return "1/length";
+    case -2:
+      return "1/length^2";
+    case 100:
+      return "energy";
+    case 99:
+      return "energy/length";
+    case 98:
+      return "energy/length^2";
+    case 97:
+      return "energy/length^3";
+    case 96:
+      return "energy/length^4";
+    default:
+      return "energy^a length^b";
     }
   }
 };
@@ -40,8 +52,8 @@ constexpr Dimension none{0, 0}, length{0, 1}, area{0, 2}, volume{0, 3}, curvatur
 }
 
 /**
- * The scene's own length and energy. Inside, everything is divided by these (so that one round-off and one tolerance serve
- * nanometres and SI alike); what users read is multiplied back.
+ * The scene's own length and energy. Inside, everything is divided by these (so that one round-off and one tolerance
+ * serve nanometres and SI alike); what users read is multiplied back.
  */
 struct Scales
 {

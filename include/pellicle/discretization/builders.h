@@ -7,18 +7,21 @@
 namespace pellicle
 {
 /**
- * Nodes on a smooth closed shape by way of the cube: 6 * 4^r cells. Cube to sphere by the equiangular map (tan(pi xi/4) in either
- * coordinate of a face, then normalised), so that cells on the sphere differ little in size; nodes keep the symmetries of the cube exactly.
+ * Nodes on a smooth closed shape by way of the cube: 6 * 4^r cells. Cube to sphere by the equiangular map (tan(pi xi/4)
+ * in either coordinate of a face, then normalised), so that cells on the sphere differ little in size; nodes keep the
+ * symmetries of the cube exactly.
  */
 SurfaceDiscretization on_cube_sphere(const SmoothShape &shape, unsigned int degree, unsigned int refinements);
 
-/** Meridian of an axisymmetric shape: 4 * 2^r cells of equal polar angle of the sphere, from pole to pole; with `mirror` 2 * 2^r, from the
- *  north pole to z = 0. */
+/** Meridian of an axisymmetric shape: 4 * 2^r cells of equal polar angle of the sphere, from pole to pole; with
+ * `mirror` 2 * 2^r, from the north pole to z = 0. */
 SurfaceDiscretization on_meridian(const SmoothShape &shape, unsigned int degree, unsigned int refinements, bool mirror);
 
-/** Torus about z of area 4 pi^2 R r: 4 * 2^r cells round the tube, and as many the long way as make them about square. Throws UserError unless R/r > 1. */
+/** Torus about z of area 4 pi^2 R r: 4 * 2^r cells round the tube, and as many the long way as make them about square.
+ * Throws UserError unless R/r > 1. */
 SurfaceDiscretization torus(double ratio, double area, unsigned int degree, unsigned int refinements);
 
-/** Facets of a Gmsh file, oriented, rounded, each cut into 4^r cells, scaled so that the rounded surface has the given area. */
+/** Facets of a Gmsh file, oriented, rounded, each cut into 4^r cells, scaled so that the rounded surface has the given
+ * area. */
 SurfaceDiscretization from_file(const std::string &file, double area, unsigned int degree, unsigned int refinements);
 } // namespace pellicle

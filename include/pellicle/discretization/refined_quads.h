@@ -14,35 +14,46 @@ using QuadVertices = std::array<unsigned int, 4>;
 struct PatchPoint
 {
   unsigned int patch = 0;
-  double       xi    = 0.;
-  double       eta   = 0.;
+  double xi          = 0.;
+  double eta         = 0.;
 };
 
 /**
- * Coarse quadrilaterals ("patches") of a closed surface, each cut into 4^r cells of degree k, with all nodes numbered across
- * patches. Pure topology: where the nodes are in space is up to the map given to place_nodes().
+ * Coarse quadrilaterals ("patches") of a closed surface, each cut into 4^r cells of degree k, with all nodes numbered
+ * across patches. Pure topology: where the nodes are in space is up to the map given to place_nodes().
  */
 struct RefinedQuads
 {
-  std::vector<QuadVertices> patches; ///< as given, but each turned (never flipped) so that neighbours agree on edge directions
-  std::size_t               n_nodes = 0;
-  std::size_t               n_cells = 0;
-  std::vector<std::size_t>  cell_nodes; ///< lexicographic in a cell, as in SurfaceDiscretization
+  std::vector<QuadVertices>
+      patches; ///< as given, but each turned (never flipped) so that neighbours agree on edge directions
+  std::size_t n_nodes = 0;
+  std::size_t n_cells = 0;
+  std::vector<std::size_t> cell_nodes;  ///< lexicographic in a cell, as in SurfaceDiscretization
   std::vector<unsigned int> cell_patch; ///< patch of each cell
-  std::vector<PatchPoint>   cell_sites; ///< of every entry of cell_nodes; exactly antisymmetric about the patch's centre
+  std::vector<PatchPoint> cell_sites; ///< of every entry of cell_nodes; exactly antisymmetric about the patch's centre
 };
+
+/**
+ * The same quadrilaterals, each turned so that two neighbours run along their common edge in the same direction, as
+ * deal.II needs for nodes on edges to be shared. Opposite edges of a cell run alike, so that this can be done band of
+ * cells by band of cells; on a surface oriented outwards no band is twisted, and turning (without flipping) is enough.
+ */
+std::vector<QuadVertices> with_consistent_edges(const std::vector<QuadVertices> &quads);
 
 /**
  * Cuts and numbers, by means of a deal.II triangulation that lives no longer than this call.
  *
- * Vertices are needed for their connectivity only. The quadrilaterals must cover a closed surface and be oriented alike; this is
- * asserted, not diagnosed (see orient_closed_surface() for meshes that come from users).
+ * Vertices are needed for their connectivity only. The quadrilaterals must cover a closed surface and be oriented
+ * alike; this is asserted, not diagnosed (see orient_closed_surface() for meshes that come from users). Throws
+ * UserError beyond a million cells.
  */
 RefinedQuads refine_quads(const std::vector<Vector3<double>> &vertices, const std::vector<QuadVertices> &quads,
                           unsigned int refinements, unsigned int degree);
 
-/** Discretization with Gauss tables and six rigid motions, whose node at site s is point(s). `point` must be continuous across patches. */
-SurfaceDiscretization place_nodes(const RefinedQuads &mesh, unsigned int degree, const std::function<Vector3<double>(const PatchPoint &)> &point);
+/** Discretization with Gauss tables and six rigid motions, whose node at site s is point(s). `point` must be continuous
+ * across patches. */
+SurfaceDiscretization place_nodes(const RefinedQuads &mesh, unsigned int degree,
+                                  const std::function<Vector3<double>(const PatchPoint &)> &point);
 
 /** Gauss-Lobatto points of degree k on [-1, 1], exactly antisymmetric: the nodes of a cell along one direction. */
 std::vector<double> line_nodes(unsigned int degree);

@@ -12,28 +12,30 @@ namespace pellicle
 /** Sections "Mesh" and the part of "Vesicle" that makes the start shape; lengths in the user's units. */
 struct StartShape
 {
-  std::string           name           = "prolate"; ///< see start_shape_names()
-  double                area           = 12.566370614359172;
-  double                reduced_volume = 0.95;
-  std::array<double, 3> semi_axes{{1., 1., 1.}};    ///< `ellipsoid`
-  double                torus_ratio = 1.4142135623730951; ///< R/r of `torus`
-  std::string           file;                       ///< `file`: Gmsh MSH 4.1
-  unsigned int          degree      = 3;
-  unsigned int          refinements = 2;
-  bool                  axial       = false;        ///< a meridian instead of a surface
-  bool                  mirror      = false;        ///< axial only: half a meridian, mirror plane z = 0
+  std::string name      = "prolate"; ///< see start_shape_names()
+  double area           = 12.566370614359172;
+  double reduced_volume = 0.95;
+  std::array<double, 3> semi_axes{{1., 1., 1.}}; ///< `ellipsoid`
+  double torus_ratio = 1.4142135623730951;       ///< R/r of `torus`
+  std::string file;                              ///< `file`: Gmsh MSH 4.1
+  unsigned int degree      = 3;
+  unsigned int refinements = 2;
+  bool axial               = false; ///< a meridian instead of a surface
+  bool mirror              = false; ///< axial only: half a meridian, mirror plane z = 0
 };
 
 /** prolate, oblate, stomatocyte, ellipsoid, biconcave, torus, file. */
 const std::vector<std::string> &start_shape_names();
 
 /**
- * Builds mesh, nodes and tables of a start shape, scaled to `area` (exact area of the smooth shape; a file: area of the rounded mesh).
- * Closed surfaces start from the 6 cells of a cube projected on it, each refinement makes four of one: 6 * 4^r cells.
- * A meridian has 4 * 2^r cells from pole to pole (2 * 2^r to the mirror plane).
+ * Builds mesh, nodes and tables of a start shape, scaled to `area` (exact area of the smooth shape; a file: area of the
+ * rounded mesh). Closed surfaces start from the 6 cells of a cube projected on it, each refinement makes four of one: 6
+ * * 4^r cells. A meridian has 4 * 2^r cells from pole to pole (2 * 2^r to the mirror plane).
  *
- * Throws UserError: unknown shape (with near matches), v outside (0, 1) for the shapes made from v, v = 1 exactly (a sphere: area and volume
- * constraints have parallel gradients), non-positive numbers, a shape that has no axial form, a mesh that is missing, malformed, open or not orientable.
+ * Throws UserError: unknown shape (with near matches), degree outside 2 to 5, too many refinements, v outside (0, 1)
+ * for the shapes made from v (stomatocyte: outside 0.171 to 0.797), v = 1 exactly (a sphere: area and volume
+ * constraints have parallel gradients), non-positive numbers, a shape that has no axial form, a mesh that is missing,
+ * malformed, open or not orientable.
  */
 SurfaceDiscretization make_start_shape(const StartShape &shape);
 } // namespace pellicle

@@ -20,14 +20,16 @@ using NodalVectors = std::vector<double>;
  *
  *     input_s(q) = map[s] * sum_I table(s, q, I) * (nodal value of I)
  *
- * On a surface every map is the identity and the tables are N_I, N_I,1, ... on the unit cell (x_,a = sum_I x_I N_I,a, never a mapping).
- * On a meridian (x = (r, 0, z), revolved about the z axis, second parameter phi) x_,2 = r e_phi: table N_I, map e_y e_x^T.
+ * On a surface every map is the identity and the tables are N_I, N_I,1, ... on the unit cell (x_,a = sum_I x_I N_I,a,
+ * never a mapping). On a meridian (x = (r, 0, z), revolved about the z axis, second parameter phi) x_,2 = r e_phi:
+ * table N_I, map e_y e_x^T.
  */
 struct ShapeTables
 {
-  unsigned int        n_points = 0;
-  unsigned int        n_nodes  = 0; ///< nodes of one cell
-  std::vector<double> weights;      ///< quadrature weights; on a meridian with the factor 2 pi, twice that with a mirror plane
+  unsigned int n_points = 0;
+  unsigned int n_nodes  = 0; ///< nodes of one cell
+  std::vector<double>
+      weights; ///< quadrature weights; on a meridian with the factor 2 pi, twice that with a mirror plane
 
   /** Row-major 3 x 3 matrix for each slot. */
   std::array<std::array<double, 9>, 6> map{};
@@ -40,8 +42,8 @@ struct ShapeTables
 /** Directions in which a node's vectors (position and moment alike) may change: `count` orthonormal columns. */
 struct AdmissibleDirections
 {
-  unsigned int                          count = 3;
-  std::array<std::array<double, 3>, 3>  columns{{{{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}}};
+  unsigned int count = 3;
+  std::array<std::array<double, 3>, 3> columns{{{{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}}};
 };
 
 /** A rigid motion that leaves the energy unchanged: w_I = translation + rotation x (x_I - centre). */
@@ -52,8 +54,8 @@ struct RigidMotion
 };
 
 /**
- * A closed surface in pieces of degree k, whichever way it is described: cells, nodes, shape tables, what the nodes may do.
- * Nothing here knows physics; the positions are a start shape and from then on a field like any other.
+ * A closed surface in pieces of degree k, whichever way it is described: cells, nodes, shape tables, what the nodes may
+ * do. Nothing here knows physics; the positions are a start shape and from then on a field like any other.
  */
 struct SurfaceDiscretization
 {
@@ -63,29 +65,37 @@ struct SurfaceDiscretization
     meridian ///< line cells of degree k in the half plane r >= 0, y = 0, from the north pole (z > 0) down
   };
 
-  Kind         kind     = Kind::surface;
-  unsigned int degree   = 3;
-  std::size_t  n_nodes  = 0;
-  std::size_t  n_cells  = 0;
-  /** Nodes of cell c: cell_nodes[c * n_local + i], i lexicographic on the tensor-product unit cell (first coordinate fastest). */
+  Kind kind           = Kind::surface;
+  unsigned int degree = 3;
+  std::size_t n_nodes = 0;
+  std::size_t n_cells = 0;
+  /** Nodes of cell c: cell_nodes[c * n_local + i], i lexicographic on the tensor-product unit cell (first coordinate
+   * fastest). */
   std::vector<std::size_t> cell_nodes;
-  NodalVectors             positions;  ///< start shape, oriented so that a_1 x a_2 points out of the enclosed volume
-  ShapeTables              tables;     ///< Gauss, degree + 1 points a direction, all six slots
+  NodalVectors positions;      ///< start shape, oriented so that a_1 x a_2 points out of the enclosed volume
+  NodalVectors mesh_reference; ///< the same nodes on the sphere of equal area that the shape is a map of: evenly
+                               ///< spread; empty if there is none
+  ShapeTables tables;          ///< Gauss, degree + 1 points a direction, all six slots
   std::vector<AdmissibleDirections> admissible; ///< one per node; empty: all nodes are free
   std::vector<RigidMotion> rigid_motions;       ///< six in R^3, one (along z) on a meridian, none with a mirror plane
-  bool mirror = false; ///< a meridian that ends on the mirror plane z = 0
+  bool mirror = false;                          ///< a meridian that ends on the mirror plane z = 0
 
   std::size_t n_local() const { return tables.n_nodes; }
 };
 
-/** Shape tables of the unit cell with tensor-product Gauss points, for output and quantities as well as for assembly. */
+/** Shape tables of the unit cell with tensor-product Gauss points, for output and quantities as well as for assembly.
+ */
 ShapeTables make_surface_tables(unsigned int degree, unsigned int n_gauss_points);
 ShapeTables make_meridian_tables(unsigned int degree, unsigned int n_gauss_points, bool mirror);
 
-/** Values of the cell's 1-D or tensor-product Lagrange basis (Gauss-Lobatto support points of FE_Q, lexicographic) at arbitrary unit points:
- *  a table like the above with the given points (surface: xi in [0,1]^2; meridian: only the first coordinate counts) and unit weights. */
-ShapeTables make_tables_at(SurfaceDiscretization::Kind kind, unsigned int degree, const std::vector<std::array<double, 2>> &unit_points);
+/** Values of the cell's 1-D or tensor-product Lagrange basis (Gauss-Lobatto support points of FE_Q, lexicographic) at
+ * arbitrary unit points: a table like the above with the given points (surface: xi in [0,1]^2; meridian: only the first
+ * coordinate counts) and unit weights. */
+ShapeTables make_tables_at(SurfaceDiscretization::Kind kind, unsigned int degree,
+                           const std::vector<std::array<double, 2>> &unit_points);
 
-/** Point inputs of one field in one cell: inputs[(q * 6 + s) * 3 + c] for the first `n_slots` slots (others untouched). */
-void evaluate_field(const ShapeTables &tables, const std::size_t *cell_nodes, const NodalVectors &values, unsigned int n_slots, double *inputs);
+/** Point inputs of one field in one cell: inputs[(q * 6 + s) * 3 + c] for the first `n_slots` slots (others untouched).
+ */
+void evaluate_field(const ShapeTables &tables, const std::size_t *cell_nodes, const NodalVectors &values,
+                    unsigned int n_slots, double *inputs);
 } // namespace pellicle

@@ -11,17 +11,18 @@ struct SurfaceQuality
   double area            = 0.;
   double volume          = 0.; ///< integral of x.n/3
   double cell_area_ratio = 1.; ///< largest over smallest cell area
-  /** Smallest over all points of J/(|a_1| |a_2|), the sine of the angle between the parameter lines: 1 is rectangular. */
+  /** Smallest over all points of J/(|a_1| |a_2|), the sine of the angle between the parameter lines: 1 is rectangular.
+   */
   double min_cell_quality = 1.;
-  double largest_aspect   = 1.; ///< largest over all points of surfaces of max(|a_1|/|a_2|, |a_2|/|a_1|); 1 on a meridian
+  double largest_aspect = 1.; ///< largest over all points of surfaces of max(|a_1|/|a_2|, |a_2|/|a_1|); 1 on a meridian
 };
 
 /** Of a surface with the given nodal positions. */
 SurfaceQuality surface_quality(const SurfaceDiscretization &surface, const NodalVectors &positions);
 
 /**
- * Throws UserError unless the start shape can be computed with: finite positions, positive volume, J well above zero at every quadrature point,
- * and r > 0 between the poles of a meridian. `remedy` ends the message.
+ * Throws UserError unless the start shape can be computed with: finite positions, positive volume, J well above zero at
+ * every quadrature point, and r > 0 between the poles of a meridian. `remedy` ends the message.
  */
 void check_start_positions(const SurfaceDiscretization &surface, const std::string &remedy);
 } // namespace pellicle

@@ -19,8 +19,8 @@ namespace pellicle
 struct NodalCurvature
 {
   NodalVectors curvature_vector;    ///< h at the nodes, 1/length
-  std::vector<double> mean_outward; ///< h . n/2 with n the nodal normal: half the trace, +1/R on a sphere
-  std::vector<double> gauss;        ///< L2 projection of the cells' pointwise K, 1/length^2; of order k - 1
+  std::vector<double> mean_outward; ///< projection of h . n/2, n the cells' normal: half the trace, +1/R on a sphere
+  std::vector<double> gauss;        ///< projection of the K of every cell by itself, 1/length^2; of order k - 1
 };
 
 /** Of a surface with the given nodal positions. On a meridian h respects the poles (radial part 0) and the mirror plane

@@ -17,6 +17,11 @@ struct SurfaceState
 {
   FieldValues         fields;      ///< in the layout's order; `position` first
   std::vector<double> multipliers; ///< lambda of each constraint
+  /**
+   * ALE chart only: reactions mu of the rigid motions. Its equations ask for zero normal forces at all nodes; the tangential forces that a discrete
+   * equilibrium leaves may add up to a net force or torque (of the size of the discretisation error), and mu balances that.
+   */
+  std::vector<double> rigid_reactions;
 };
 
 /** How the position's tangential freedom is fixed. */
@@ -88,7 +93,11 @@ private:
   mutable Assembler            assembler;
   InternalElimination          elimination;
 
+  std::vector<NodalChart> charts_here() const;
+  void                    recentre_chart();
+
   PositionChart                    chart = PositionChart::graph;
+  double                           moved_in_chart = 0.; ///< largest displacement of a node, summed over steps since the chart was made
   std::unique_ptr<BorderedSystem>  system;
   PotentialSet                     mesh_set;
   std::unique_ptr<FieldLayout>     mesh_layout;

@@ -20,6 +20,7 @@ struct NewtonParameters
   double      initial_drag   = 0.;
   double      step_limit     = 0.3;
   std::string chart          = "graph then ale";
+  std::string mesh_reference = "start of step";
   std::string linear_solver  = "mumps";
   int         threads        = 1;
 
@@ -43,7 +44,7 @@ struct NewtonResult
  * grows tenfold when the direction ascends, leaves the trust region (`step_limit`), the matrix has negative pivots that a minimum must not have while
  * the state is still far from equilibrium, or no step length lowers the merit; it shrinks tenfold after each full step. Predicted changes of the merit
  * at round-off level are accepted without test, otherwise the line search fails on noise at the end.
- * Others (ALE): full steps, shortened to the trust region.
+ * Others (ALE): full steps, shortened to the trust region; drag is added when a step would raise the merit by more than a little.
  */
 class Newton
 {
@@ -57,6 +58,9 @@ public:
 private:
   /** Takes one step; false if none was found. */
   bool advance(EquilibriumProblem &problem, NewtonResult &result, IterationReport &report);
+
+  /** False when the drag is beyond all reason. */
+  bool increase_drag(NewtonResult &result);
 
   const NewtonParameters &parameters;
   LinearSolver           &solver;

@@ -4,6 +4,7 @@
 #include <pellicle/potentials/surface_measures.h>
 
 #include <memory>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct ReferenceMetric
  * zero where the metric a_ab equals the reference A_ab. The first two terms see change of shape only (conformal energy), the last one change of
  * area. Its tangential gradient fixes the position of the nodes on the surface in the ALE chart; it is no physics and is never added to it.
  */
+inline double WW(){ static double w = std::getenv("WW")?std::atof(std::getenv("WW")):.5; return w;}
 struct MeshDistortion
 {
   static constexpr std::array<FieldUse, 1> fields{{{"position", Derivatives::first, FieldRole::independent}}};
@@ -38,7 +40,7 @@ struct MeshDistortion
     const Vector3<Number> &x1 = inputs[0].d1(), &x2 = inputs[0].d2();
     const Number           stretch = area_density(inputs[0]) / J0;
     const Number trace = (A.A22 * dot(x1, x1) - 2. * A.A12 * dot(x1, x2) + A.A11 * dot(x2, x2)) / (J0 * J0);
-    return J0 * (trace / (2. * stretch) - 1. + 0.5 * (stretch - 1.) * (stretch - 1.));
+    return J0 * (trace / (2. * stretch) - 1. + WW() * (stretch - 1.) * (stretch - 1.));
   }
 };
 
