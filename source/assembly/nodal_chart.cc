@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/nodal_chart.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/refined_quads.h>
 
 #include <algorithm>
 #include <cmath>
@@ -88,30 +89,35 @@ NodalChart ale_chart(const SurfaceDiscretization &discretization, const NodalVec
 
 NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const NodalVectors &positions)
 {
-  // At the nodes themselves: on a meridian x,2 vanishes at the poles, so there the normal comes from neighbouring quadrature points; averaging
-  // over quadrature points with N_I as weight does both.
+  const bool                         meridian = discretization.kind == SurfaceDiscretization::Kind::meridian;
+  const std::vector<double>          line     = line_nodes(discretization.degree);
+  std::vector<std::array<double, 2>> sites;
+  for (std::size_t i = 0; i < discretization.n_local(); ++i)
+    sites.push_back({{0.5 * (1. + line[i % line.size()]), meridian ? 0. : 0.5 * (1. + line[i / line.size()])}});
+  const ShapeTables tables = make_tables_at(discretization.kind, discretization.degree, sites);
+
   NodalVectors        normals(3 * discretization.n_nodes, 0.);
-  const ShapeTables  &tables = discretization.tables;
   std::vector<double> inputs(std::size_t(tables.n_points) * 18);
   for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
   {
     const std::size_t *nodes = discretization.cell_nodes.data() + cell * tables.n_nodes;
     evaluate_field(tables, nodes, positions, 3, inputs.data());
-    for (unsigned int q = 0; q < tables.n_points; ++q)
+    for (unsigned int I = 0; I < tables.n_nodes; ++I)
     {
-      const double         *x = inputs.data() + 18 * q;
-      const Vector3<double> N = cross(Vector3<double>(x[3], x[4], x[5]), Vector3<double>(x[6], x[7], x[8]));
-      for (unsigned int I = 0; I < tables.n_nodes; ++I)
-        for (unsigned int c = 0; c < 3; ++c)
-          normals[3 * nodes[I] + c] += tables.weights[q] * tables.tables[0][std::size_t(q) * tables.n_nodes + I] * N[c];
+      const double         *x = inputs.data() + 18 * I;
+      const Vector3<double> x1(x[3], x[4], x[5]);
+      // On a meridian x,2 = r e_y vanishes at the poles, its direction does not.
+      const Vector3<double> N = cross(x1, meridian ? Vector3<double>(0., 1., 0.) : Vector3<double>(x[6], x[7], x[8]));
+      for (unsigned int c = 0; c < 3; ++c)
+        normals[3 * nodes[I] + c] += N[c];
     }
   }
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
   {
-    const Vector3<double> average(normals[3 * I], normals[3 * I + 1], normals[3 * I + 2]);
+    const Vector3<double> sum(normals[3 * I], normals[3 * I + 1], normals[3 * I + 2]);
     Vector3<double>       d;
     for (const Direction &e : admissible_directions(discretization, I))
-      d += dot(average, e) * e;
+      d += dot(sum, e) * e;
     const double length = norm(d);
     PELLICLE_ASSERT(length > 0., "a node without a normal");
     for (unsigned int c = 0; c < 3; ++c)
@@ -125,18 +131,26 @@ std::vector<double> nodal_areas(const SurfaceDiscretization &discretization, con
   std::vector<double> areas(discretization.n_nodes, 0.);
   const ShapeTables  &tables = discretization.tables;
   std::vector<double> inputs(std::size_t(tables.n_points) * 18);
+  double              total = 0., sum = 0.;
   for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
   {
     const std::size_t *nodes = discretization.cell_nodes.data() + cell * tables.n_nodes;
     evaluate_field(tables, nodes, positions, 3, inputs.data());
     for (unsigned int q = 0; q < tables.n_points; ++q)
     {
-      const double *x = inputs.data() + 18 * q;
-      const double  J = norm(cross(Vector3<double>(x[3], x[4], x[5]), Vector3<double>(x[6], x[7], x[8])));
+      const double *x  = inputs.data() + 18 * q;
+      const double  dA = tables.weights[q] * norm(cross(Vector3<double>(x[3], x[4], x[5]), Vector3<double>(x[6], x[7], x[8])));
+      total += dA;
       for (unsigned int I = 0; I < tables.n_nodes; ++I)
-        areas[nodes[I]] += tables.weights[q] * J * tables.tables[0][std::size_t(q) * tables.n_nodes + I];
+      {
+        const double N = tables.tables[0][std::size_t(q) * tables.n_nodes + I];
+        areas[nodes[I]] += N * N * dA;
+        sum += N * N * dA;
+      }
     }
   }
+  for (double &area : areas)
+    area *= total / sum;
   return areas;
 }
 } // namespace pellicle

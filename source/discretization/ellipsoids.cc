@@ -40,42 +40,21 @@ double spheroid_area(const double t)
   return 2. * pi * (1. + std::exp(2. * t) * (std::log1p(e) - t) / e);
 }
 
+/**
+ * Spheroid with semi axes 1, 1, c = e^t. A prolate one is not simply a stretched sphere, which crowds nodes a little too much at its tips: polar angles are mapped
+ * by tan(tau) = c^q tan(theta) first, so that the spacing of nodes along a meridian goes from c^q at the tips to c^(1 - q) at the equator.
+ */
 SmoothShape spheroid(const double t)
 {
-  SmoothShape shape = stretched_sphere({{1., 1., std::exp(t)}}, spheroid_area(t));
-  const double p    = std::getenv("PP") ? std::atof(std::getenv("PP")) : 0.;
-  if (p != 0.)
-  {
-    const double c = std::exp(t);
-    shape.point    = [c, p](const Vector3<double> &u)
-    {
-      const double rho = std::hypot(u[0], u[1]), theta = std::atan2(rho, u[2]);
-      auto speed = [&](double a) { return std::pow(std::hypot(std::cos(a), c * std::sin(a)), p); };
-      auto F     = [&](double b)
-      {
-        const int n = 400;
-        double s    = 0;
-        for (int i = 0; i < n; ++i)
-        {
-          double a0 = b * i / n, a1 = b * (i + 1) / n;
-          s += (a1 - a0) / 6 * (speed(a0) + 4 * speed(.5 * (a0 + a1)) + speed(a1));
-        }
-        return s;
-      };
-      const double total = F(pi);
-      double tau         = theta;
-      for (int k = 0; k < 30; ++k)
-      {
-        double st = (F(tau) - theta / pi * total) / speed(tau);
-        tau -= st;
-        tau = std::min(std::max(tau, 0.), pi);
-        if (std::abs(st) < 1e-14)
-          break;
-      }
-      double ratio = rho > 0 ? std::sin(tau) / rho : 0.;
-      return Vector3<double>(ratio * u[0], ratio * u[1], c * std::cos(tau));
+  constexpr double q     = 0.04; // measured on the prolate of v = 0.65: the energy errors of Q3 and Q4 on 96 cells are smallest between 0 and 0.06
+  SmoothShape      shape = stretched_sphere({{1., 1., std::exp(t)}}, spheroid_area(t));
+  if (t > 0.)
+    shape.point = [stretched = shape.point, g = std::exp(q * t)](const Vector3<double> &u) {
+      const Vector3<double> v(g * u[0], g * u[1], u[2]);
+      return stretched(v / norm(v));
     };
-  }
+  else
+    shape.even_mesh = SmoothShape::EvenMesh::sphere;
   return shape;
 }
 

@@ -52,7 +52,7 @@ SurfaceDiscretization on_meridian(const SmoothShape &shape, const unsigned int d
       const Vector3<double> u(boost::math::sin_pi(angle), 0., boost::math::cos_pi(angle));
       const auto x = shape.point(u);
       for (unsigned int c = 0; c < 3; ++c)
-        result.mesh_reference[3 * node + c] = radius * u[c];
+        result.mesh_reference[3 * node + c] = shape.even_mesh == SmoothShape::EvenMesh::sphere ? radius * u[c] : x[c];
 
       result.positions[3 * node]     = x[0];
       result.positions[3 * node + 2] = x[2];

@@ -30,6 +30,22 @@ std::array<double, 3> normalise(SurfaceDiscretization &discretization, const dou
     x /= length;
   return centre;
 }
+/** Passes iterations on with the energy in the user's units. */
+class InUsersUnits : public Observer
+{
+public:
+  InUsersUnits(Observer &observer, const Scales &unit) : observer(observer), unit(unit) {}
+  void on_iteration(const IterationReport &report) override
+  {
+    IterationReport scaled_report = report;
+    scaled_report.energy *= unit.of(dimensions::energy);
+    observer.on_iteration(scaled_report);
+  }
+
+private:
+  Observer     &observer;
+  const Scales &unit;
+};
 } // namespace
 
 SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &communicator, Timing &timing)
@@ -111,52 +127,52 @@ void SurfaceModel::update(const SurfaceScene &scene)
 StepResult SurfaceModel::solve(const int step, Observer &observer)
 {
   StepResult         result;
-  const SurfaceState before    = problem->state();
-  const NodalVectors reference = newton.mesh_reference == "sphere" && !discretization.mesh_reference.empty()
-                                         ? discretization.mesh_reference
-                                         : before.fields[0];
-  const auto         iterate   = [&](const PositionChart chart) {
-    problem->use_chart(chart, reference);
+  const SurfaceState before = problem->state();
+  const NodalVectors mesh_reference =
+      newton.mesh_reference == "start shape" && !discretization.mesh_reference.empty() ? discretization.mesh_reference : before.fields[0];
+  InUsersUnits energies(observer, unit);
+
+  const auto iterate = [&](const PositionChart chart) {
+    problem->use_chart(chart, mesh_reference);
     Newton             method(newton, *solver, timing);
-    const NewtonResult outcome = method.solve(*problem, step, observer, result.iterations);
+    const NewtonResult outcome = method.solve(*problem, step, energies, result.iterations);
     result.iterations += outcome.iterations;
     result.rejected += outcome.rejected;
-    return outcome;
+    result.converged = outcome.converged;
+    result.failure   = outcome.failure;
+    if (outcome.converged)
+      result.relative_residual = outcome.relative_residual;
+    return outcome.converged;
+  };
+  const auto polish = [&] {
+    const SurfaceState graph = problem->state();
+    if (iterate(PositionChart::ale))
+      return;
+    result.warnings.push_back("The polishing in the ALE chart did not converge (" + result.failure +
+                              "): the equilibrium in the normal-graph chart is reported. More cells or load steps help.");
+    result.converged = true;
+    problem->set_state(graph);
   };
 
-  if (newton.chart != "ale")
+  if (newton.chart == "graph")
+    iterate(PositionChart::graph);
+  else if (newton.chart == "ale")
+    iterate(PositionChart::ale);
+  else if (newton.chart == "graph then ale")
   {
-    const NewtonResult graph = iterate(PositionChart::graph);
-    result.converged         = graph.converged;
-    result.relative_residual = graph.relative_residual;
-    result.failure           = graph.failure;
-    if (!graph.converged)
-    {
-      problem->set_state(before);
-      return result;
-    }
+    if (iterate(PositionChart::graph))
+      polish();
   }
-  if (newton.chart != "graph")
+  else if (!is_reparametrisation_invariant(problem->potentials()))
+    iterate(PositionChart::graph);
+  else if (!iterate(PositionChart::ale))
   {
-    const SurfaceState polished_from = problem->state();
-    const NewtonResult ale           = iterate(PositionChart::ale);
-    if (ale.converged)
-    {
-      result.converged         = true;
-      result.relative_residual = ale.relative_residual;
-    }
-    else if (newton.chart == "ale")
-    {
-      result.failure = ale.failure;
-      problem->set_state(before);
-    }
-    else
-    {
-      result.warnings.push_back("The polishing in the ALE chart did not converge (" + ale.failure +
-                                "): the equilibrium in the normal-graph chart is reported. More cells or load steps help.");
-      problem->set_state(polished_from);
-    }
+    problem->set_state(before);
+    if (iterate(PositionChart::graph))
+      polish();
   }
+  if (!result.converged)
+    problem->set_state(before);
   return result;
 }
 

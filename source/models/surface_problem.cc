@@ -36,6 +36,12 @@ std::vector<NodalVectors> weighted_rigid_motions(const SurfaceDiscretization &di
 }
 } // namespace
 
+bool is_reparametrisation_invariant(const PotentialSet &set)
+{
+  return std::all_of(set.energies.begin(), set.energies.end(), [](const auto &energy) { return energy->reparametrisation_invariant(); }) &&
+         std::all_of(set.constraints.begin(), set.constraints.end(), [](const auto &c) { return c.measure->reparametrisation_invariant(); });
+}
+
 std::vector<ReferenceMetric> reference_metric(const SurfaceDiscretization &discretization, const NodalVectors &positions)
 {
   const ShapeTables           &tables = discretization.tables;
@@ -85,19 +91,13 @@ void SurfaceProblem::set_state(SurfaceState state)
 
 void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors &mesh_reference)
 {
-  chart                   = new_chart;
-  current.rigid_reactions.assign(chart == PositionChart::ale ? discretization.rigid_motions.size() : 0, 0.);
+  chart = new_chart;
+  current.rigid_reactions.assign(discretization.rigid_motions.size(), 0.);
   if (chart == PositionChart::ale)
   {
-    const auto invariant = [](const Potential &p) {
-      if (!p.reparametrisation_invariant())
-        throw UserError("The ALE chart replaces tangential equilibrium by mesh equations; the effect '" + p.name() +
-                        "' acts tangentially. Use Newton/Chart = graph.");
-    };
-    for (const auto &energy : set.energies)
-      invariant(*energy);
-    for (const Constraint &constraint : set.constraints)
-      invariant(*constraint.measure);
+    if (!is_reparametrisation_invariant(set))
+      throw UserError("Newton/Chart = ale replaces tangential equilibrium by mesh equations, but a listed effect acts tangentially (its coefficients or "
+                      "references are attached to material points). Use Newton/Chart = graph.");
     mesh_set       = {};
     mesh_set.energies.push_back(make_mesh_distortion(reference_metric(discretization, mesh_reference)));
     mesh_layout    = std::make_unique<FieldLayout>(mesh_set);
@@ -161,7 +161,7 @@ void SurfaceProblem::linearize()
   for (std::size_t k = 0; k < set.constraints.size(); ++k)
     system->set_constraint(k, 1. / set.constraints[k].stiffness, constraint_residual(k, current_values, current.multipliers[k]));
   for (std::size_t k = 0; k < rigid_directions.size(); ++k)
-    system->set_rigid_motion(k, rigid_directions[k], 1. / rigid_rho, with_mesh ? current.rigid_reactions[k] : 0.);
+    system->set_rigid_motion(k, rigid_directions[k], 1. / rigid_rho, current.rigid_reactions[k]);
   system->finish();
 }
 

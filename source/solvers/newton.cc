@@ -12,6 +12,7 @@ namespace
 // Measured on vesicles in internal units (energy kappa, length sqrt(A/4 pi)); see doc/numerics.md.
 constexpr double first_drag             = 10.;   // when undamped Newton is rejected
 constexpr double smallest_drag          = 1e-2;  // below it Newton is undamped again
+constexpr double drag_decrease          = 0.01;  // after each full step
 constexpr double largest_drag           = 1e12;  // beyond it no step is left
 constexpr double round_off_of_merit     = 1e-9;  // relative: predicted changes below it are accepted untested
 constexpr double near_equilibrium       = 1e-4;  // relative predicted change below which negative pivots are tolerated
@@ -30,16 +31,17 @@ void NewtonParameters::bind(ParameterSection &section)
                  "Norm of the residual relative to the norm of the summed absolute contributions of the cells at which a state counts as "
                  "an equilibrium. Fine meshes reach round-off near 1e-11; a step that no longer moves the nodes ends the iteration as well.");
   section.number("Initial drag", initial_drag, Range::non_negative(), dimensions::none,
-                 "Levenberg-Marquardt drag zeta in (zeta/2)|x - x_n|^2 at the start, in units kappa/R^4, R = sqrt(A/4 pi). 0: undamped Newton first; "
-                 "drag is added when a step is rejected. 1000 suits very bad start shapes.");
+                 "Levenberg-Marquardt drag zeta in (zeta/2)|x - x_n|^2 of the first iteration, in units kappa/R^4, R = sqrt(A/4 pi). It falls a hundredfold with each "
+                 "full step and grows tenfold with each rejected one. 0: undamped Newton until a step is rejected.");
   section.number("Step limit", step_limit, Range::positive(), dimensions::none,
                  "Largest displacement of a node in one iteration, relative to R = sqrt(A/4 pi).");
-  section.choice("Chart", chart, {"graph then ale", "graph", "ale"},
-                 "Unknowns of the position. graph: displacement along the nodal normals (symmetric, robust). ale: all components, tangential ones fixed "
-                 "by a mesh energy (better meshes, more accurate). graph then ale: the first to globalise, the second to polish.");
-  section.choice("Mesh reference", mesh_reference, {"start of step", "sphere"},
-                 "Metric that the mesh energy of the ALE chart prefers: that of the surface at the start of the load step, or that of the sphere "
-                 "which the start shape is a map of (evenly spread cells; cleans a distorted mesh).");
+  section.choice("Chart", chart, {"automatic", "ale", "graph", "graph then ale"},
+                 "Unknowns of the position. ale: all components; normal equilibrium, and a mesh energy for the tangential ones (good meshes in large deformation, "
+                 "no bias). graph: displacement along the nodal normals (symmetric, descends to a minimum, robust against noise). graph then ale: the first to find "
+                 "the equilibrium, the second to polish it. automatic: ale, and if that fails graph then ale.");
+  section.choice("Mesh reference", mesh_reference, {"start shape", "start of step"},
+                 "Metric that the mesh energy of the ALE chart prefers. start shape: that of the start shape or, where that is better, of the sphere it is a map of. "
+                 "start of step: that of the surface at the start of the load step.");
   section.choice("Linear solver", linear_solver, linear_solver_names(),
                  "Direct solver: mumps (LDL^T with inertia, MPI) or umfpack (LU, one process).");
   section.integer("Threads", threads, 1, 256, "Threads of the BLAS in factorisations.");
@@ -136,7 +138,7 @@ bool Newton::advance(EquilibriumProblem &problem, NewtonResult &result, Iteratio
         problem.accept_trial();
         report.step_length = length * displacement;
         if (length == 1.)
-          drag = 0.1 * drag < smallest_drag ? 0. : 0.1 * drag;
+          drag = drag_decrease * drag < smallest_drag ? 0. : drag_decrease * drag;
         return true;
       }
       if (!increase_drag(result))
@@ -159,7 +161,7 @@ bool Newton::advance(EquilibriumProblem &problem, NewtonResult &result, Iteratio
         problem.accept_trial();
         report.step_length = length * displacement;
         if (length == 1.)
-          drag = 0.1 * drag < smallest_drag ? 0. : 0.1 * drag;
+          drag = drag_decrease * drag < smallest_drag ? 0. : drag_decrease * drag;
         return true;
       }
     }

@@ -37,9 +37,9 @@ NodalChart graph_chart(const SurfaceDiscretization &discretization, const NodalV
 /** ALE: all admissible directions; the normal one with the physical equation, tangential ones with mesh equations. Unsymmetric, no bias. */
 NodalChart ale_chart(const SurfaceDiscretization &discretization, const NodalVectors &normals);
 
-/** Unit normals at the nodes: averages of the cells' normals at their nodes, weighted by area, projected to the admissible directions. */
+/** Unit normals at the nodes: averages of the cells' normals there, weighted by x,1 x x,2, projected to the admissible directions. */
 NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const NodalVectors &positions);
 
-/** Integrals of the nodal shape functions over the surface: the lumped mass w_I > 0 (sum = area). */
+/** Weights w_I > 0 of the nodes that add up to the area: the diagonal of the mass matrix, scaled. (Row sums may vanish at the pole of a meridian.) */
 std::vector<double> nodal_areas(const SurfaceDiscretization &discretization, const NodalVectors &positions);
 } // namespace pellicle

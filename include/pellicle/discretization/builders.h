@@ -7,9 +7,10 @@
 namespace pellicle
 {
 /**
- * Nodes on a smooth closed shape by way of the cube: 6 * 4^r cells. Cube to sphere by the equiangular map (tan(pi xi/4)
- * in either coordinate of a face, then normalised), so that cells on the sphere differ little in size; nodes keep the
- * symmetries of the cube exactly.
+ * Nodes on a smooth closed shape by way of the cube projected on the sphere: 6 * 4^r cells. Vertices are middles of great circles, refinement after
+ * refinement; the other nodes of a cell are spherical means of its own vertices, so that edges are great circles run through at constant
+ * speed. The interpolation error is then along the surface to leading order, which curvature of order k needs (a map that is smooth over a
+ * whole face of the cube loses half an order, for its normal errors do not cancel at the cube's edges).
  */
 SurfaceDiscretization on_cube_sphere(const SmoothShape &shape, unsigned int degree, unsigned int refinements);
 

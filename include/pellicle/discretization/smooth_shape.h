@@ -21,6 +21,14 @@ struct SmoothShape
   bool axisymmetric      = true;
   bool up_down_symmetric = true; ///< under z -> -z, sphere and surface alike
 
+  /** Where the nodes are well spread: on the start shape itself, or on the sphere that it is a map of. */
+  enum class EvenMesh
+  {
+    shape,
+    sphere
+  };
+  EvenMesh even_mesh = EvenMesh::shape;
+
   /** 3 V/(4 pi (A/4 pi)^(3/2)): 1 for a sphere, less for anything else. */
   double reduced_volume() const;
 };

@@ -73,7 +73,7 @@ struct SurfaceDiscretization
    * fastest). */
   std::vector<std::size_t> cell_nodes;
   NodalVectors positions;      ///< start shape, oriented so that a_1 x a_2 points out of the enclosed volume
-  NodalVectors mesh_reference; ///< the same nodes on the sphere of equal area that the shape is a map of: evenly
+  NodalVectors mesh_reference; ///< the same nodes on a surface where they are well spread: the start shape or the sphere it is a map of
                                ///< spread; empty if there is none
   ShapeTables tables;          ///< Gauss, degree + 1 points a direction, all six slots
   std::vector<AdmissibleDirections> admissible; ///< one per node; empty: all nodes are free

@@ -18,8 +18,9 @@ struct SurfaceState
   FieldValues         fields;      ///< in the layout's order; `position` first
   std::vector<double> multipliers; ///< lambda of each constraint
   /**
-   * ALE chart only: reactions mu of the rigid motions. Its equations ask for zero normal forces at all nodes; the tangential forces that a discrete
-   * equilibrium leaves may add up to a net force or torque (of the size of the discretisation error), and mu balances that.
+   * Reactions mu of the rigid motions. The charts ask for zero normal forces at all nodes; the tangential forces that a discrete equilibrium
+   * leaves may add up to a net force or torque (of the size of the discretisation error), and mu balances that. Without it there would be no
+   * solution, but for shapes with enough symmetry.
    */
   std::vector<double> rigid_reactions;
 };
@@ -108,6 +109,9 @@ private:
   SurfaceState current, trial;
   TermValues   current_values, trial_values;
 };
+
+/** Whether all listed terms are: only then may tangential equilibrium be replaced by mesh equations. */
+bool is_reparametrisation_invariant(const PotentialSet &set);
 
 /** Metric of a configuration at every quadrature point, as the reference of the mesh energy. */
 std::vector<struct ReferenceMetric> reference_metric(const SurfaceDiscretization &discretization, const NodalVectors &positions);

@@ -17,10 +17,10 @@ struct NewtonParameters
 {
   int         max_iterations = 60;
   double      tolerance      = 1e-9;
-  double      initial_drag   = 0.;
+  double      initial_drag   = 100.;
   double      step_limit     = 0.3;
-  std::string chart          = "graph then ale";
-  std::string mesh_reference = "start of step";
+  std::string chart          = "automatic";
+  std::string mesh_reference = "start shape";
   std::string linear_solver  = "mumps";
   int         threads        = 1;
 
@@ -42,7 +42,7 @@ struct NewtonResult
  *
  * Variational problems: Levenberg-Marquardt drag about the last iterate (so the residual is unbiased), backtracking on the merit. The drag
  * grows tenfold when the direction ascends, leaves the trust region (`step_limit`), the matrix has negative pivots that a minimum must not have while
- * the state is still far from equilibrium, or no step length lowers the merit; it shrinks tenfold after each full step. Predicted changes of the merit
+ * the state is still far from equilibrium, or no step length lowers the merit; it shrinks a hundredfold after each full step. Predicted changes of the merit
  * at round-off level are accepted without test, otherwise the line search fails on noise at the end.
  * Others (ALE): full steps, shortened to the trust region; drag is added when a step would raise the merit by more than a little.
  */
