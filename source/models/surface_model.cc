@@ -52,7 +52,8 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
     : newton(scene.newton), unit(scene.scales()), communicator(communicator), timing(timing),
       discretization(make_start_shape(scene.start_shape()))
 {
-  centroid = normalise(discretization, unit.length);
+  centroid         = normalise(discretization, unit.length);
+  bending_rigidity = scene.bending_rigidity() / unit.energy;
   add_node_noise(scene.vesicle);
   set_blas_threads(newton.threads);
   problem = std::make_unique<SurfaceProblem>(discretization, scene.potentials(unit), communicator, newton.linear_solver, timing);
@@ -120,7 +121,8 @@ void SurfaceModel::check_constraints_are_independent()
 
 void SurfaceModel::update(const SurfaceScene &scene)
 {
-  newton = scene.newton;
+  newton           = scene.newton;
+  bending_rigidity = scene.bending_rigidity() / unit.energy;
   problem->set_potentials(scene.potentials(unit));
 }
 

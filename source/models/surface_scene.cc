@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/models/surface_scene.h>
+#include <pellicle/potentials/energies/helfrich_bending.h>
 
 #include <algorithm>
 #include <cmath>
@@ -78,6 +79,9 @@ void SurfaceScene::check() const
     throw UserError("Vesicle/Start shape is 'file', but Mesh/File names no file.");
   if (vesicle.start_shape != "file" && !mesh.file.empty())
     throw UserError("Mesh/File is '" + mesh.file + "', but Vesicle/Start shape is '" + vesicle.start_shape + "': set it to 'file', or remove Mesh/File.");
+  if (has_effect("area constraint") && has_effect("volume constraint") && vesicle.reduced_volume >= 1.)
+    throw UserError("Vesicle/Reduced volume = 1 with both area and volume constraint: only the sphere has it, and there the two constraints are not "
+                    "independent. Use a value below 1, or drop one of the two constraints.");
   if (load.parameter.empty() && !(load.from.empty() && load.to.empty()))
     throw UserError("Section Load: 'From' or 'To' is set, but 'Parameter' names no parameter.");
   if (!load.parameter.empty() && load.to.empty())
@@ -100,6 +104,14 @@ Scales SurfaceScene::scales() const
       largest = std::max(largest, *energy);
   scales.energy = largest > 0. ? largest : 1.;
   return scales;
+}
+
+double SurfaceScene::bending_rigidity() const
+{
+  for (const auto &effect : effects)
+    if (const auto *bending = dynamic_cast<const HelfrichBendingEffect *>(effect.get()))
+      return bending->parameters.bending_rigidity;
+  return 0.;
 }
 
 double SurfaceScene::target_volume() const

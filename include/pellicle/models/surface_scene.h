@@ -67,6 +67,7 @@ struct SurfaceScene
   bool   has_effect(const std::string &name) const;
   bool   has_analysis(const std::string &name) const;
   Scales scales() const;       ///< length sqrt(A/4 pi), energy typical of the effects
+  double bending_rigidity() const; ///< kappa, the user's units; 0 without bending
   double target_volume() const; ///< v (4 pi/3) (A/4 pi)^(3/2), the user's units
 
   StartShape start_shape() const;

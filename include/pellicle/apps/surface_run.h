@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/apps/command_line.h>
+#include <pellicle/apps/surface_application.h>
+#include <pellicle/base/scene.h>
+#include <pellicle/base/scene_text.h>
+#include <pellicle/models/run_result.h>
+#include <pellicle/models/surface_model.h>
+
+#include <functional>
+#include <memory>
+
+namespace pellicle
+{
+/** A scene file with its effects: reads the parameter structs anew whenever a load step changes one of them. */
+class SurfaceSceneFile
+{
+public:
+  /** Reads file and overrides; a relative Mesh/File counts from the scene's folder. Throws UserError. */
+  SurfaceSceneFile(const SurfaceApplication &application, const CommandLine &command_line);
+
+  /** The parameter structs as the scene stands now, checked. */
+  SurfaceScene read();
+  /** Sets a parameter to a number. */
+  void set(const std::string &path, double value, const std::string &origin);
+  /** The number that a parameter has now. Throws UserError if there is none. */
+  double number(const std::string &path) const;
+  /** used.prm. */
+  std::string used_text();
+
+private:
+  const SurfaceApplication &application;
+  Scene                     scene;
+  std::vector<std::string>  effects, analyses;
+};
+
+/** What --write-parameters and the manual describe: all parameters of the effects, listed ones first. */
+std::string commented_scene_of(const SurfaceApplication &application);
+
+/** Called after every equilibrium: step, value of the stepped parameter (the step's number without load stepping). */
+using SolutionSink = std::function<void(const SurfaceModel &model, int step, double time)>;
+
+/**
+ * Solves a scene, load steps included. Returns everything that summary.json says but the seconds of output; never throws for a solve that failed.
+ */
+RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer, const SolutionSink &sink);
+} // namespace pellicle

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/apps/surface_run.h>
+#include <pellicle/base/exact_text.h>
+#include <pellicle/base/expression.h>
+#include <pellicle/base/scene_file.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace pellicle
+{
+namespace
+{
+SceneEntries entries_of(const CommandLine &command_line)
+{
+  SceneEntries entries = read_scene_file(command_line.scene_file);
+  apply_overrides(entries, command_line.overrides);
+  for (const SceneEntry &entry : entries.entries)
+    if (entry.path() == "Mesh/File" && !entry.value.empty() && std::filesystem::path(entry.value).is_relative())
+    {
+      const std::filesystem::path folder = std::filesystem::absolute(command_line.scene_file).parent_path();
+      set_entry(entries, "Mesh/File", (folder / entry.value).lexically_normal().string(), entry.origin);
+      break;
+    }
+  return entries;
+}
+
+std::vector<std::string> sections_of_others(const EffectLibrary &library, const std::vector<std::string> &effects)
+{
+  std::vector<std::string> sections;
+  for (const std::string &name : library.names())
+    if (std::find(effects.begin(), effects.end(), name) == effects.end())
+      sections.push_back(section_name(name));
+  return sections;
+}
+} // namespace
+
+SurfaceSceneFile::SurfaceSceneFile(const SurfaceApplication &application, const CommandLine &command_line)
+    : application(application), scene(application.name, entries_of(command_line)),
+      effects(scene.effects(application.default_effects, application.library.names())), analyses(scene.analyses({}, analysis_names()))
+{}
+
+SurfaceScene SurfaceSceneFile::read()
+{
+  SurfaceScene parameters = make_surface_scene(application.library, effects, analyses);
+  scene.read(parameters.sections(), sections_of_others(application.library, effects));
+  parameters.check();
+  return parameters;
+}
+
+void SurfaceSceneFile::set(const std::string &path, const double value, const std::string &origin)
+{
+  scene.set(path, exact_text(value), origin);
+}
+
+double SurfaceSceneFile::number(const std::string &path) const
+{
+  return evaluate_number(scene.value(path));
+}
+
+std::string SurfaceSceneFile::used_text()
+{
+  SurfaceScene parameters = make_surface_scene(application.library, effects, analyses);
+  return scene.used_text(parameters.sections(), effects, analyses);
+}
+
+std::string commented_scene_of(const SurfaceApplication &application)
+{
+  SurfaceScene     listed = make_surface_scene(application.library, application.default_effects, {});
+  SceneDescription description;
+  description.application    = application.name;
+  description.effects        = application.default_effects;
+  description.known_effects  = application.library.names();
+  description.known_analyses = analysis_names();
+  description.sections       = listed.sections();
+  std::vector<std::unique_ptr<Effect>> others;
+  for (const std::string &name : application.library.names())
+    if (!listed.has_effect(name))
+    {
+      others.push_back(application.library.create(name));
+      ParameterSection section(section_name(name));
+      others.back()->bind(section);
+      description.unlisted.push_back({name, section});
+    }
+  return commented_scene(description);
+}
+
+RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer, const SolutionSink &sink)
+{
+  RunResult             result;
+  const LoadParameters &load     = first.load;
+  const bool            stepping = !load.parameter.empty();
+  const double          from     = stepping ? file.number(load.parameter) : 0.;
+  const double          to       = stepping ? evaluate_number(load.to) : 0.;
+  std::string           failure;
+
+  const auto attempt = [&](const double t) {
+    const int    step  = result.newton.steps;
+    const double value = stepping ? from + t * (to - from) : step;
+    if (stepping && t > 0.)
+    {
+      file.set(load.parameter, value, "Load step " + std::to_string(step));
+      model.update(file.read());
+    }
+    const StepResult outcome = model.solve(step, observer);
+    result.newton.iterations += outcome.iterations;
+    result.newton.rejected += outcome.rejected;
+    if (!outcome.converged)
+    {
+      failure = outcome.failure;
+      return false;
+    }
+    result.newton.final_relative_residual = outcome.relative_residual;
+    result.warnings.insert(result.warnings.end(), outcome.warnings.begin(), outcome.warnings.end());
+    for (const std::string &warning : outcome.warnings)
+      observer.on_message(warning);
+
+    StepReport report;
+    report.step              = step;
+    report.fraction_done     = stepping ? t : 1.;
+    report.stepped_parameter = load.parameter;
+    report.stepped_value     = value;
+    report.iterations        = outcome.iterations;
+    report.quantities        = model.quantities();
+    observer.on_step(report);
+    result.quantities = report.quantities;
+    sink(model, step, value);
+    ++result.newton.steps;
+    return true;
+  };
+
+  double reached = 1.;
+  try
+  {
+    if (stepping)
+      reached = walk_load(load, attempt);
+    else
+      reached = attempt(0.) ? 1. : -1.;
+  }
+  catch (const SolveError &error)
+  {
+    failure = error.what();
+    reached = -1.;
+  }
+
+  result.status = reached == 1. ? RunStatus::converged : RunStatus::failed;
+  if (reached < 0.)
+    result.message = "Newton's method found no equilibrium: " + failure +
+                     ". Try a start shape nearer to the solution, load steps towards it (section Load), or a finer mesh.";
+  else if (reached < 1.)
+    result.message = "Load stepping stopped at " + load.parameter + " = " + exact_text(from + reached * (to - from)) + " on the way to " + exact_text(to) +
+                     " (" + failure + "). There may be no equilibrium nearby beyond it (a fold); a finer mesh or a smaller Load/Smallest step may help.";
+  if (result.status == RunStatus::failed && result.quantities.empty())
+    result.quantities = model.quantities();
+  if (result.status == RunStatus::converged && first.has_analysis("stability"))
+    if (const std::optional<int> negative = model.negative_eigenvalues())
+    {
+      result.stability                        = StabilityCounts{};
+      result.stability->negative_eigenvalues = *negative;
+    }
+  result.effects.clear();
+  for (const auto &effect : first.effects)
+    result.effects.push_back(effect->name());
+  result.analyses = first.analyses;
+  result.n_cells  = model.n_cells();
+  result.degree   = model.mesh().degree;
+  for (const auto &[name, n] : model.unknown_counts())
+  {
+    result.unknowns.blocks.emplace_back(name, n);
+    result.unknowns.total += n;
+  }
+  return result;
+}
+} // namespace pellicle
