@@ -13,6 +13,7 @@
 #include <mpi.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -33,6 +34,14 @@ public:
     MPI_Initialized(&running);
     if (running == 0)
     {
+      // Started by hand and not by mpirun, Open MPI would launch a daemon and look for networks: 0.3 s for one process that talks to nobody.
+      if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMIX_RANK") == nullptr && std::getenv("PMI_RANK") == nullptr)
+      {
+        constexpr int keep_users_choice = 0;
+        setenv("OMPI_MCA_ess_singleton_isolated", "1", keep_users_choice);
+        setenv("OMPI_MCA_pml", "ob1", keep_users_choice);
+        setenv("OMPI_MCA_btl", "self", keep_users_choice);
+      }
       MPI_Init(&argc, &argv);
       own = true;
     }
