@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Starts MPI for the tests of an executable that solve something (MUMPS needs it); include it in one or more of its sources.
+// Starts MPI for the tests of an executable that solve something (MUMPS needs it); include it in one or more of its
+// sources.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -42,7 +42,7 @@ std::variant<CommandLine, CommandLineExit> parse_command_line(const int argc, co
   app.add_option("scene", options.scene_file, "Scene file (.prm)");
   app.add_option(
          "--write-parameters", options.write_parameters_file,
-         "Write a commented scene with every parameter to FILE and exit; the lists of effects and analyses are those "
+         "Write a commented scene with every parameter and its default to FILE and exit; the effects listed are those "
          "of the scene, if one is given")
       ->type_name("FILE");
   app.add_flag("--validate", options.validate,

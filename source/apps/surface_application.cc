@@ -12,11 +12,13 @@
 
 #include <mpi.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <thread>
 
 namespace pellicle
 {
@@ -34,8 +36,10 @@ public:
     MPI_Initialized(&running);
     if (running == 0)
     {
-      // Started by hand and not by mpirun, Open MPI would launch a daemon and look for networks: 0.3 s for one process that talks to nobody.
-      if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMIX_RANK") == nullptr && std::getenv("PMI_RANK") == nullptr)
+      // Started by hand and not by mpirun, Open MPI would launch a daemon and look for networks: 0.3 s for one process
+      // that talks to nobody.
+      if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMIX_RANK") == nullptr &&
+          std::getenv("PMI_RANK") == nullptr)
       {
         constexpr int keep_users_choice = 0;
         setenv("OMPI_MCA_ess_singleton_isolated", "1", keep_users_choice);
@@ -58,12 +62,35 @@ private:
   bool own = false;
 };
 
+/**
+ * True if all processes come here within a second. A bad scene stops all of them alike, and then MPI can end in an
+ * orderly way; an error of one process (files are the first one's business) leaves the others waiting in a computation,
+ * and only an abort ends those.
+ */
+bool all_processes_arrive()
+{
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Ibarrier(MPI_COMM_WORLD, &request);
+  int arrived = 0;
+  for (int waits = 0; arrived == 0 && waits < 100; ++waits)
+  {
+    MPI_Test(&request, &arrived, MPI_STATUS_IGNORE);
+    if (arrived == 0)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return arrived != 0;
+}
+
 /** The files and the terminal lines of a run. On processes other than the first it does nothing. */
 class RunOutput
 {
 public:
-  RunOutput(const bool first_process, fs::path output_directory, const SurfaceScene &scene, const Verbosity verbosity, Timing &timing)
-      : writes(first_process), directory(std::move(output_directory)), parameters(scene.output), timing(timing)
+  RunOutput(const bool first_process, fs::path output_directory, const SurfaceScene &scene, const Verbosity verbosity,
+            Timing &timing)
+      : writes(first_process)
+      , directory(std::move(output_directory))
+      , parameters(scene.output)
+      , timing(timing)
   {
     if (!writes)
       return;
@@ -101,7 +128,8 @@ public:
         draw(model, result);
     }
     progress.reset(); // ends its line
-    result.seconds = {timing.total(), timing.seconds("assembly"), timing.seconds("linear solve"), timing.seconds("output")};
+    result.seconds = {timing.total(), timing.seconds("assembly"), timing.seconds("linear solve"),
+                      timing.seconds("output")};
     write_summary(directory, result);
   }
 
@@ -121,14 +149,14 @@ private:
       fs::remove(vtu);
   }
 
-  bool                          writes;
-  fs::path                      directory, last_solution;
-  OutputParameters              parameters;
-  Timing                       &timing;
-  Observer                      nobody;
-  std::optional<RunFiles>       files;
-  std::optional<SolutionFiles>  solutions;
-  std::optional<Progress>       progress;
+  bool writes;
+  fs::path directory, last_solution;
+  OutputParameters parameters;
+  Timing &timing;
+  Observer nobody;
+  std::optional<RunFiles> files;
+  std::optional<SolutionFiles> solutions;
+  std::optional<Progress> progress;
   std::unique_ptr<ObserverList> observers;
 };
 
@@ -137,7 +165,8 @@ void print_validation(const SurfaceScene &scene, const SurfaceModel &model)
   std::cout << "The scene is valid.\nEffects:";
   for (const auto &effect : scene.effects)
     std::cout << "\n  " << effect->name() << ": " << effect->description();
-  std::cout << "\nMesh: " << model.n_cells() << " cells of degree " << model.mesh().degree << ", " << model.mesh().n_nodes << " nodes\nFields:";
+  std::cout << "\nMesh: " << model.n_cells() << " cells of degree " << model.mesh().degree << ", "
+            << model.mesh().n_nodes << " nodes\nFields:";
   for (const Field &field : model.equilibrium().layout().fields())
     std::cout << ' ' << field.name;
   std::cout << std::endl;
@@ -147,31 +176,37 @@ void print_result(const RunResult &result, const fs::path &directory)
 {
   for (const auto &[name, value] : result.quantities)
     std::printf("  %-32s %.10g\n", name.c_str(), value);
-  std::printf("%s: %s after %d iterations, %.2f s; results in %s\n", result.application.c_str(), status_name(result.status),
-              result.newton.iterations, result.seconds.total, directory.c_str());
+  std::printf("%s: %s after %d iterations, %.2f s; results in %s\n", result.application.c_str(),
+              status_name(result.status), result.newton.iterations, result.seconds.total, directory.c_str());
   std::fflush(stdout);
 }
 
-int run(const SurfaceApplication &application, const CommandLine &command_line, const Communicator &communicator, Timing &timing)
+/** The commented scene with the effects of the scene on the command line, or the application's own list if there is
+ * none. */
+void write_parameters(const SurfaceApplication &application, const CommandLine &command_line)
+{
+  SurfaceApplication listed = application;
+  if (!command_line.scene_file.empty())
+    listed.default_effects = SurfaceSceneFile(application, command_line).effect_names();
+  write_whole_file(command_line.write_parameters_file, commented_scene_of(listed));
+}
+
+int run(const SurfaceApplication &application, const CommandLine &command_line, const Communicator &communicator,
+        Timing &timing)
 {
   const bool first_process = communicator.rank() == 0;
   if (!command_line.write_parameters_file.empty())
   {
     if (first_process)
-      write_whole_file(command_line.write_parameters_file, commented_scene_of(application));
-    if (command_line.scene_file.empty())
-      return 0;
+      write_parameters(application, command_line);
+    return 0;
   }
 
   SurfaceSceneFile file(application, command_line);
-  SurfaceScene     scene     = file.read();
+  SurfaceScene scene          = file.read();
   const std::string used_text = file.used_text();
-  if (!scene.load.parameter.empty() && !scene.load.from.empty())
-  {
-    file.number(scene.load.parameter); // names near matches if there is no such parameter
-    file.set(scene.load.parameter, evaluate_number(scene.load.from), "Load/From");
-    scene = file.read();
-  }
+  if (!scene.load.parameter.empty())
+    scene = scene_at_start_of_load(file, scene.load);
   SurfaceModel model(scene, communicator, timing);
   if (command_line.validate)
   {
@@ -180,13 +215,14 @@ int run(const SurfaceApplication &application, const CommandLine &command_line, 
     return 0;
   }
 
-  const fs::path directory = command_line.output_directory.empty() ? fs::path("output") / fs::path(command_line.scene_file).stem()
-                                                                   : fs::path(command_line.output_directory);
+  const fs::path directory = command_line.output_directory.empty()
+                                 ? fs::path("output") / fs::path(command_line.scene_file).stem()
+                                 : fs::path(command_line.output_directory);
   RunOutput output(first_process, directory, scene, command_line.verbosity, timing);
   output.write_scene(used_text);
-  RunResult result = solve_scene(file, scene, model, output.observer(), [&](const SurfaceModel &solved, const int step, const double time) {
-    output.write_solution(solved, step, time);
-  });
+  RunResult result   = solve_scene(file, scene, model, output.observer(),
+                                   [&](const SurfaceModel &solved, const int step, const double time)
+                                   { output.write_solution(solved, step, time); });
   result.application = application.name;
   output.finish(model, result);
   if (first_process)
@@ -202,11 +238,12 @@ int run(const SurfaceApplication &application, const CommandLine &command_line, 
 
 int run_surface_application(int argc, char **argv, const SurfaceApplication &application)
 {
-  Timing             timing;
-  const MpiSession   session(argc, argv);
+  Timing timing;
+  const MpiSession session(argc, argv);
   const Communicator communicator;
-  const bool         first_process = communicator.rank() == 0;
-  const auto         complain      = [&](const std::string &text) {
+  const bool first_process = communicator.rank() == 0;
+  const auto complain      = [&](const std::string &text)
+  {
     if (first_process)
       std::cerr << application.name << ": " << text << std::endl;
   };
@@ -225,15 +262,14 @@ int run_surface_application(int argc, char **argv, const SurfaceApplication &app
   catch (const UserError &error)
   {
     complain(error.what());
-    // Every process sees the same scene and fails alike, but files are the first one's business: the others must not wait for it.
-    if (communicator.size() > 1)
+    if (!all_processes_arrive())
       MPI_Abort(MPI_COMM_WORLD, 2);
     return 2;
   }
   catch (const std::exception &error)
   {
     complain(std::string("stopped by an error that should not happen: ") + error.what());
-    if (communicator.size() > 1)
+    if (!all_processes_arrive())
       MPI_Abort(MPI_COMM_WORLD, 1);
     return 1;
   }

@@ -33,12 +33,36 @@ std::vector<std::string> sections_of_others(const EffectLibrary &library, const 
       sections.push_back(section_name(name));
   return sections;
 }
+/** Calls f and puts "Load/Name = value: " before the message of a UserError. */
+template <typename F>
+double number_of_load(const std::string &name, const std::string &value, const F &f)
+{
+  try
+  {
+    return f();
+  }
+  catch (const UserError &error)
+  {
+    throw UserError("Load/" + name + " = " + value + ": " + error.what());
+  }
+}
+
+/** Messages of others as the middle of a sentence. */
+std::string without_full_stop(std::string text)
+{
+  while (!text.empty() && text.back() == '.')
+    text.pop_back();
+  return text;
+}
 } // namespace
 
 SurfaceSceneFile::SurfaceSceneFile(const SurfaceApplication &application, const CommandLine &command_line)
-    : application(application), scene(application.name, entries_of(command_line)),
-      effects(scene.effects(application.default_effects, application.library.names())), analyses(scene.analyses({}, analysis_names()))
-{}
+    : application(application)
+    , scene(application.name, entries_of(command_line))
+    , effects(scene.effects(application.default_effects, application.library.names()))
+    , analyses(scene.analyses({}, analysis_names()))
+{
+}
 
 SurfaceScene SurfaceSceneFile::read()
 {
@@ -64,9 +88,21 @@ std::string SurfaceSceneFile::used_text()
   return scene.used_text(parameters.sections(), effects, analyses);
 }
 
+SurfaceScene scene_at_start_of_load(SurfaceSceneFile &file, const LoadParameters &load)
+{
+  const double own = number_of_load("Parameter", load.parameter, [&] { return file.number(load.parameter); });
+  const double from =
+      load.from.empty() ? own : number_of_load("From", load.from, [&] { return evaluate_number(load.from); });
+  const double to = number_of_load("To", load.to, [&] { return evaluate_number(load.to); });
+  file.set(load.parameter, to, "Load/To");
+  file.read();
+  file.set(load.parameter, from, "Load/From");
+  return file.read();
+}
+
 std::string commented_scene_of(const SurfaceApplication &application)
 {
-  SurfaceScene     listed = make_surface_scene(application.library, application.default_effects, {});
+  SurfaceScene listed = make_surface_scene(application.library, application.default_effects, {});
   SceneDescription description;
   description.application    = application.name;
   description.effects        = application.default_effects;
@@ -85,17 +121,19 @@ std::string commented_scene_of(const SurfaceApplication &application)
   return commented_scene(description);
 }
 
-RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer, const SolutionSink &sink)
+RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer,
+                      const SolutionSink &sink)
 {
-  RunResult             result;
-  const LoadParameters &load     = first.load;
-  const bool            stepping = !load.parameter.empty();
-  const double          from     = stepping ? file.number(load.parameter) : 0.;
-  const double          to       = stepping ? evaluate_number(load.to) : 0.;
-  std::string           failure;
+  RunResult result;
+  const LoadParameters &load = first.load;
+  const bool stepping        = !load.parameter.empty();
+  const double from          = stepping ? file.number(load.parameter) : 0.;
+  const double to            = stepping ? evaluate_number(load.to) : 0.;
+  std::string failure;
 
-  const auto attempt = [&](const double t) {
-    const int    step  = result.newton.steps;
+  const auto attempt = [&](const double t)
+  {
+    const int step     = result.newton.steps;
     const double value = stepping ? from + t * (to - from) : step;
     if (stepping && t > 0.)
     {
@@ -145,17 +183,20 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
 
   result.status = reached == 1. ? RunStatus::converged : RunStatus::failed;
   if (reached < 0.)
-    result.message = "Newton's method found no equilibrium: " + failure +
-                     ". Try a start shape nearer to the solution, load steps towards it (section Load), or a finer mesh.";
+    result.message =
+        "Newton's method found no equilibrium: " + without_full_stop(failure) +
+        ". Try a start shape nearer to the solution, load steps towards it (section Load), or a finer mesh.";
   else if (reached < 1.)
-    result.message = "Load stepping stopped at " + load.parameter + " = " + exact_text(from + reached * (to - from)) + " on the way to " + exact_text(to) +
-                     " (" + failure + "). There may be no equilibrium nearby beyond it (a fold); a finer mesh or a smaller Load/Smallest step may help.";
+    result.message = "Load stepping stopped at " + load.parameter + " = " + exact_text(from + reached * (to - from)) +
+                     " on the way to " + exact_text(to) + " (" + without_full_stop(failure) +
+                     "). There may be no equilibrium nearby beyond it (a fold); a finer mesh or a smaller "
+                     "Load/Smallest step may help.";
   if (result.status == RunStatus::failed && result.quantities.empty())
     result.quantities = model.quantities();
   if (result.status == RunStatus::converged && first.has_analysis("stability"))
     if (const std::optional<int> negative = model.negative_eigenvalues())
     {
-      result.stability                        = StabilityCounts{};
+      result.stability                       = StabilityCounts{};
       result.stability->negative_eigenvalues = *negative;
     }
   result.effects.clear();

@@ -3,8 +3,10 @@
 
 int main(int argc, char **argv)
 {
-  return pellicle::run_surface_application(
-      argc, argv,
-      {"vesicle", "Equilibrium shapes of closed membranes: Helfrich bending under constraints of area and volume, tension and pressure.",
-       pellicle::standard_effects(), {"helfrich bending", "area constraint", "volume constraint"}});
+  return pellicle::run_surface_application(argc, argv,
+                                           {"vesicle",
+                                            "Equilibrium shapes of closed membranes: Helfrich bending under "
+                                            "constraints of area and volume, tension and pressure.",
+                                            pellicle::standard_effects(),
+                                            {"helfrich bending", "area constraint", "volume constraint"}});
 }

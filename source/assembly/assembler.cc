@@ -40,14 +40,18 @@ Assembler::Selection Assembler::internal(const PotentialSet &set, const FieldLay
   return some;
 }
 
-Assembler::Assembler(const SurfaceDiscretization &discretization, const FieldLayout &layout, const Communicator &communicator,
-                     Selection selection)
-    : discretization(discretization), layout(layout), communicator(communicator), selection(std::move(selection)),
-      contraction(discretization.tables, layout, this->selection.fields)
-{}
+Assembler::Assembler(const SurfaceDiscretization &discretization, const FieldLayout &layout,
+                     const Communicator &communicator, Selection selection)
+    : discretization(discretization)
+    , layout(layout)
+    , communicator(communicator)
+    , selection(std::move(selection))
+    , contraction(discretization.tables, layout, this->selection.fields)
+{
+}
 
-void gather_inputs(const SurfaceDiscretization &discretization, const FieldLayout &layout, const FieldValues &values, const std::size_t cell,
-                   std::vector<double> &inputs)
+void gather_inputs(const SurfaceDiscretization &discretization, const FieldLayout &layout, const FieldValues &values,
+                   const std::size_t cell, std::vector<double> &inputs)
 {
   const ShapeTables &tables = discretization.tables;
   const std::size_t *nodes  = discretization.cell_nodes.data() + cell * tables.n_nodes;
@@ -58,15 +62,16 @@ void gather_inputs(const SurfaceDiscretization &discretization, const FieldLayou
     const Field &field = layout.fields()[f];
     evaluate_field(tables, nodes, values[f], field.n_slots, one_field.data());
     for (unsigned int q = 0; q < tables.n_points; ++q)
-      std::copy_n(one_field.data() + 18 * q, 3 * field.n_slots, inputs.data() + std::size_t(q) * layout.n_inputs() + field.offset);
+      std::copy_n(one_field.data() + 18 * q, 3 * field.n_slots,
+                  inputs.data() + std::size_t(q) * layout.n_inputs() + field.offset);
   }
 }
 
-TermValues Assembler::loop(const PotentialSet &set, const FieldValues &values, const std::vector<double> &multipliers, const Order order,
-                           const Visitor &visitor)
+TermValues Assembler::loop(const PotentialSet &set, const FieldValues &values, const std::vector<double> &multipliers,
+                           const Order order, const Visitor &visitor)
 {
-  TermValues                       result{std::vector<double>(set.energies.size(), 0.), std::vector<double>(set.constraints.size(), 0.)};
-  Element                          element;
+  TermValues result{std::vector<double>(set.energies.size(), 0.), std::vector<double>(set.constraints.size(), 0.)};
+  Element element;
   std::vector<std::vector<double>> constraint_gradients(set.constraints.size());
 
   ++counts.loops;
@@ -86,14 +91,13 @@ TermValues Assembler::loop(const PotentialSet &set, const FieldValues &values, c
   return result;
 }
 
-void Assembler::evaluate(const PotentialSet &set, const FieldValues &values, const std::vector<double> &multipliers, const Order order,
-                         const std::size_t cell, TermValues &values_of_terms, Element &element,
+void Assembler::evaluate(const PotentialSet &set, const FieldValues &values, const std::vector<double> &multipliers,
+                         const Order order, const std::size_t cell, TermValues &values_of_terms, Element &element,
                          std::vector<std::vector<double>> &constraint_gradients)
 {
-  const ShapeTables &tables   = discretization.tables;
-  const auto         integral = [&](const PointSums &sums) {
-    return std::inner_product(sums.value.begin(), sums.value.end(), tables.weights.begin(), 0.);
-  };
+  const ShapeTables &tables = discretization.tables;
+  const auto integral       = [&](const PointSums &sums)
+  { return std::inner_product(sums.value.begin(), sums.value.end(), tables.weights.begin(), 0.); };
   ++counts.cells;
   gather_inputs(discretization, layout, values, cell, inputs);
   const CellPoints points{cell * tables.n_points, tables.n_points, layout.n_inputs(), inputs.data()};
@@ -111,7 +115,7 @@ void Assembler::evaluate(const PotentialSet &set, const FieldValues &values, con
   for (const std::size_t k : selection.constraints)
   {
     ++counts.potential_calls;
-    const Potential                &measure = *set.constraints[k].measure;
+    const Potential &measure                = *set.constraints[k].measure;
     const std::vector<unsigned int> offsets = layout.offsets(measure);
     single.reset(tables.n_points, layout.n_inputs(), std::min(order, Order::gradient));
     measure.add(points, offsets.data(), 1., std::min(order, Order::gradient), single);

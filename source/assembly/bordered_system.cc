@@ -8,7 +8,9 @@
 namespace pellicle
 {
 Numbering::Numbering(std::vector<NodalChart> all_charts, const std::size_t n_constraints, const std::size_t n_rigid)
-    : charts(std::move(all_charts)), n_constraints(n_constraints), n_rigid(n_rigid)
+    : charts(std::move(all_charts))
+    , n_constraints(n_constraints)
+    , n_rigid(n_rigid)
 {
   std::size_t n_nodes = 0;
   for (const NodalChart &chart : charts)
@@ -30,8 +32,11 @@ std::size_t Numbering::n_unknowns_of(const std::size_t field) const
   return n;
 }
 
-BorderedSystem::BorderedSystem(const SurfaceDiscretization &discretization, Numbering numbering, const Communicator &communicator)
-    : discretization(discretization), communicator(communicator), unknowns(std::move(numbering))
+BorderedSystem::BorderedSystem(const SurfaceDiscretization &discretization, Numbering numbering,
+                               const Communicator &communicator)
+    : discretization(discretization)
+    , communicator(communicator)
+    , unknowns(std::move(numbering))
 {
   std::tie(first_cell, last_cell) = communicator.own_range(discretization.n_cells);
   make_pattern();
@@ -53,12 +58,12 @@ void BorderedSystem::cell_unknowns(const std::size_t cell, std::vector<int> &lis
 // Rows of nodal unknowns couple through cells; border rows (and columns, unless the matrix is symmetric) are dense.
 void BorderedSystem::make_pattern()
 {
-  const bool mesh_equations =
-      std::any_of(unknowns.charts.begin(), unknowns.charts.end(), [](const NodalChart &c) { return c.has_mesh_equations(); });
-  sparse.symmetry    = mesh_equations ? MatrixSymmetry::general : MatrixSymmetry::symmetric;
-  const bool lower   = sparse.symmetry == MatrixSymmetry::symmetric;
-  const int  n_nodal = static_cast<int>(unknowns.n_nodal), n = static_cast<int>(unknowns.size());
-  sparse.size        = n;
+  const bool mesh_equations = std::any_of(unknowns.charts.begin(), unknowns.charts.end(),
+                                          [](const NodalChart &c) { return c.has_mesh_equations(); });
+  sparse.symmetry           = mesh_equations ? MatrixSymmetry::general : MatrixSymmetry::symmetric;
+  const bool lower          = sparse.symmetry == MatrixSymmetry::symmetric;
+  const int n_nodal = static_cast<int>(unknowns.n_nodal), n = static_cast<int>(unknowns.size());
+  sparse.size = n;
 
   std::vector<std::vector<int>> rows(n_nodal);
   for (std::size_t cell = first_cell; cell < last_cell; ++cell)
@@ -91,7 +96,7 @@ void BorderedSystem::make_pattern()
     }
     sparse.row_start.push_back(static_cast<int>(sparse.columns.size()));
     const auto begin = sparse.columns.begin() + sparse.row_start[i], end = sparse.columns.end();
-    diagonal[i]      = static_cast<int>(std::lower_bound(begin, end, i) - sparse.columns.begin());
+    diagonal[i] = static_cast<int>(std::lower_bound(begin, end, i) - sparse.columns.begin());
   }
   sparse.values.assign(sparse.columns.size(), 0.);
 
@@ -101,9 +106,11 @@ void BorderedSystem::make_pattern()
     scatter_start.push_back(scatter.size());
     for (const int i : cell_list)
     {
-      const auto begin = sparse.columns.begin() + sparse.row_start[i], end = sparse.columns.begin() + sparse.row_start[i + 1];
+      const auto begin = sparse.columns.begin() + sparse.row_start[i],
+                 end   = sparse.columns.begin() + sparse.row_start[i + 1];
       for (const int j : cell_list)
-        scatter.push_back(!lower || j <= i ? static_cast<int>(std::lower_bound(begin, end, j) - sparse.columns.begin()) : -1);
+        scatter.push_back(!lower || j <= i ? static_cast<int>(std::lower_bound(begin, end, j) - sparse.columns.begin())
+                                           : -1);
     }
   }
 }
@@ -120,15 +127,16 @@ void BorderedSystem::begin()
 // Z^T K Z for the cell, rows of mesh equations from the mesh energy.
 void BorderedSystem::project(const std::size_t cell, const Element &physics, const Element *mesh)
 {
-  const std::size_t  n_local = discretization.n_local(), n_fields = unknowns.n_fields();
-  const std::size_t *nodes   = discretization.cell_nodes.data() + cell * n_local;
-  const std::size_t  m       = cell_list.size();
+  const std::size_t n_local = discretization.n_local(), n_fields = unknowns.n_fields();
+  const std::size_t *nodes = discretization.cell_nodes.data() + cell * n_local;
+  const std::size_t m      = cell_list.size();
   projected.assign(m * m, 0.);
 
   // First the columns: K Z for one row block of R^3 at a time, then the rows.
-  const auto fill_rows = [&](const Element &element, const bool mesh_rows, const std::size_t n_element_fields) {
+  const auto fill_rows = [&](const Element &element, const bool mesh_rows, const std::size_t n_element_fields)
+  {
     std::vector<double> row_times_Z(3 * m);
-    std::size_t         row = 0;
+    std::size_t row = 0;
     for (std::size_t i = 0; i < n_local; ++i)
       for (std::size_t f = 0; f < n_fields; ++f)
       {
@@ -136,15 +144,15 @@ void BorderedSystem::project(const std::size_t cell, const Element &physics, con
         if (n_rows == 0)
           continue;
         const NodalChart::Node &row_node = unknowns.charts[f].nodes[nodes[i]];
-        bool                    wanted   = false;
+        bool wanted                      = false;
         for (unsigned int a = 0; a < n_rows; ++a)
           wanted = wanted || row_node.mesh_equation[a] == mesh_rows;
         if (wanted && f < n_element_fields)
         {
           for (unsigned int c = 0; c < 3; ++c)
           {
-            const double *K      = element.matrix.data() + ((3 * f + c) * n_local + i) * element.n_rows;
-            std::size_t   column = 0;
+            const double *K    = element.matrix.data() + ((3 * f + c) * n_local + i) * element.n_rows;
+            std::size_t column = 0;
             for (std::size_t j = 0; j < n_local; ++j)
               for (std::size_t g = 0; g < n_fields; ++g)
               {
@@ -152,13 +160,14 @@ void BorderedSystem::project(const std::size_t cell, const Element &physics, con
                 if (n_columns == 0)
                   continue;
                 const NodalChart::Node &column_node = unknowns.charts[g].nodes[nodes[j]];
-                double                  k[3]        = {0., 0., 0.};
+                double k[3]                         = {0., 0., 0.};
                 if (g < n_element_fields)
                   for (unsigned int d = 0; d < 3; ++d)
                     k[d] = K[(3 * g + d) * n_local + j];
                 for (unsigned int b = 0; b < n_columns; ++b)
-                  row_times_Z[c * m + column + b] =
-                      k[0] * column_node.columns[3 * b] + k[1] * column_node.columns[3 * b + 1] + k[2] * column_node.columns[3 * b + 2];
+                  row_times_Z[c * m + column + b] = k[0] * column_node.columns[3 * b] +
+                                                    k[1] * column_node.columns[3 * b + 1] +
+                                                    k[2] * column_node.columns[3 * b + 2];
                 column += n_columns;
               }
           }
@@ -180,11 +189,11 @@ void BorderedSystem::project(const std::size_t cell, const Element &physics, con
     fill_rows(*mesh, true, 1);
 }
 
-void BorderedSystem::add_cell(const std::size_t cell, const Element &physics, const std::vector<std::vector<double>> &constraint_gradients,
-                              const Element *mesh)
+void BorderedSystem::add_cell(const std::size_t cell, const Element &physics,
+                              const std::vector<std::vector<double>> &constraint_gradients, const Element *mesh)
 {
-  const std::size_t  n_local = discretization.n_local(), n_fields = unknowns.n_fields();
-  const std::size_t *nodes   = discretization.cell_nodes.data() + cell * n_local;
+  const std::size_t n_local = discretization.n_local(), n_fields = unknowns.n_fields();
+  const std::size_t *nodes = discretization.cell_nodes.data() + cell * n_local;
   cell_unknowns(cell, cell_list);
   const std::size_t m = cell_list.size();
 
@@ -194,16 +203,17 @@ void BorderedSystem::add_cell(const std::size_t cell, const Element &physics, co
     if (positions[k] >= 0)
       sparse.values[positions[k]] += projected[k];
 
-  const bool  general = sparse.symmetry == MatrixSymmetry::general;
-  std::size_t row     = 0;
+  const bool general = sparse.symmetry == MatrixSymmetry::general;
+  std::size_t row    = 0;
   for (std::size_t i = 0; i < n_local; ++i)
     for (std::size_t f = 0; f < n_fields; ++f)
       for (unsigned int a = 0; a < unknowns.count(f, nodes[i]); ++a, ++row)
       {
-        const NodalChart::Node &node     = unknowns.charts[f].nodes[nodes[i]];
-        const bool              is_mesh  = node.mesh_equation[a];
-        const int               unknown  = cell_list[row];
-        const auto              along_z  = [&](const std::vector<double> &gradient) {
+        const NodalChart::Node &node = unknowns.charts[f].nodes[nodes[i]];
+        const bool is_mesh           = node.mesh_equation[a];
+        const int unknown            = cell_list[row];
+        const auto along_z           = [&](const std::vector<double> &gradient)
+        {
           double sum = 0.;
           for (unsigned int c = 0; c < 3; ++c)
             sum += node.columns[3 * a + c] * gradient[(3 * f + c) * n_local + i];
@@ -215,8 +225,8 @@ void BorderedSystem::add_cell(const std::size_t cell, const Element &physics, co
         contributions[unknown] += std::abs(r);
         for (std::size_t k = 0; k < unknowns.n_constraints; ++k)
         {
-          const double g         = along_z(constraint_gradients[k]);
-          const int    border    = static_cast<int>(unknowns.n_nodal + k);
+          const double g   = along_z(constraint_gradients[k]);
+          const int border = static_cast<int>(unknowns.n_nodal + k);
           constraint_rows[k][unknown] += g;
           sparse.values[sparse.row_start[border] + unknown] += g;
           if (general && !is_mesh)
@@ -227,14 +237,14 @@ void BorderedSystem::add_cell(const std::size_t cell, const Element &physics, co
 
 void BorderedSystem::add_cell_residual(const std::size_t cell, const Element &physics)
 {
-  const std::size_t  n_local = discretization.n_local(), n_fields = unknowns.n_fields();
-  const std::size_t *nodes   = discretization.cell_nodes.data() + cell * n_local;
+  const std::size_t n_local = discretization.n_local(), n_fields = unknowns.n_fields();
+  const std::size_t *nodes = discretization.cell_nodes.data() + cell * n_local;
   for (std::size_t i = 0; i < n_local; ++i)
     for (std::size_t f = 0; f < n_fields; ++f)
       for (unsigned int a = 0; a < unknowns.count(f, nodes[i]); ++a)
       {
         const std::size_t unknown = unknowns.first[nodes[i] * n_fields + f] + a;
-        double            r       = 0.;
+        double r                  = 0.;
         for (unsigned int c = 0; c < 3; ++c)
           r += unknowns.charts[f].nodes[nodes[i]].columns[3 * a + c] * physics.gradient[(3 * f + c) * n_local + i];
         right[unknown] += r;
@@ -252,11 +262,12 @@ void BorderedSystem::set_constraint(const std::size_t k, const double compliance
   }
 }
 
-void BorderedSystem::set_rigid_motion(const std::size_t k, const NodalVectors &direction, const double inverse_rho, const double reaction)
+void BorderedSystem::set_rigid_motion(const std::size_t k, const NodalVectors &direction, const double inverse_rho,
+                                      const double reaction)
 {
   if (communicator.rank() != 0)
     return;
-  const std::size_t   row = unknowns.n_nodal + unknowns.n_constraints + k;
+  const std::size_t row = unknowns.n_nodal + unknowns.n_constraints + k;
   std::vector<double> restricted(unknowns.n_nodal, 0.);
   restrict_vector(0, direction, restricted);
   for (std::size_t i = 0; i < unknowns.n_nodal; ++i)
@@ -300,7 +311,8 @@ void BorderedSystem::add_to_diagonal(const std::vector<double> &values, const do
       sparse.values[diagonal[i]] += factor * values[i];
 }
 
-void BorderedSystem::restrict_vector(const std::size_t field, const NodalVectors &vector, std::vector<double> &result) const
+void BorderedSystem::restrict_vector(const std::size_t field, const NodalVectors &vector,
+                                     std::vector<double> &result) const
 {
   for (std::size_t I = 0; I < unknowns.charts[field].nodes.size(); ++I)
     for (unsigned int a = 0; a < unknowns.count(field, I); ++a)
@@ -312,7 +324,8 @@ void BorderedSystem::restrict_vector(const std::size_t field, const NodalVectors
     }
 }
 
-void BorderedSystem::prolongate(const std::vector<double> &u, const double factor, const std::size_t field, NodalVectors &values) const
+void BorderedSystem::prolongate(const std::vector<double> &u, const double factor, const std::size_t field,
+                                NodalVectors &values) const
 {
   for (std::size_t I = 0; I < unknowns.charts[field].nodes.size(); ++I)
     for (unsigned int a = 0; a < unknowns.count(field, I); ++a)

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/contraction.h>
 
-extern "C" void dgemm_(const char *transa, const char *transb, const int *m, const int *n, const int *k, const double *alpha,
-                       const double *a, const int *lda, const double *b, const int *ldb, const double *beta, double *c, const int *ldc);
+extern "C" void dgemm_(const char *transa, const char *transb, const int *m, const int *n, const int *k,
+                       const double *alpha, const double *a, const int *lda, const double *b, const int *ldb,
+                       const double *beta, double *c, const int *ldc);
 
 namespace pellicle
 {
 Contraction::Contraction(const ShapeTables &tables, const FieldLayout &layout, std::vector<bool> active_fields)
-    : tables(tables), fields(layout.fields()), active(std::move(active_fields)), n_points(tables.n_points), n_nodes(tables.n_nodes),
-      rows(3 * static_cast<unsigned int>(fields.size()) * tables.n_nodes)
+    : tables(tables)
+    , fields(layout.fields())
+    , active(std::move(active_fields))
+    , n_points(tables.n_points)
+    , n_nodes(tables.n_nodes)
+    , rows(3 * static_cast<unsigned int>(fields.size()) * tables.n_nodes)
 {
   unsigned int max_slots = 1;
   for (const Field &field : fields)
@@ -29,7 +34,7 @@ void Contraction::gradient(const PointSums &sums, std::vector<double> &gradient)
       {
         const double *g = sums.gradient.data() + std::size_t(q) * sums.n_inputs + fields[f].offset + 3 * s;
         const double *N = table(s) + std::size_t(q) * n_nodes;
-        double        mapped[3];
+        double mapped[3];
         if (tables.identity_map)
           std::copy(g, g + 3, mapped);
         else
@@ -37,7 +42,7 @@ void Contraction::gradient(const PointSums &sums, std::vector<double> &gradient)
             mapped[c] = tables.map[s][c] * g[0] + tables.map[s][3 + c] * g[1] + tables.map[s][6 + c] * g[2];
         for (unsigned int c = 0; c < 3; ++c)
         {
-          const double  w      = tables.weights[q] * mapped[c];
+          const double w       = tables.weights[q] * mapped[c];
           double *const target = gradient.data() + (3 * f + c) * n_nodes;
           for (unsigned int I = 0; I < n_nodes; ++I)
             target[I] += w * N[I];
@@ -50,12 +55,14 @@ void Contraction::gradient(const PointSums &sums, std::vector<double> &gradient)
 void Contraction::apply_map(PointSums &sums) const
 {
   const unsigned int n = sums.n_inputs;
-  const auto         transform = [&](double *h, const std::size_t stride_row, const std::size_t stride_column, const unsigned int s) {
+  const auto transform =
+      [&](double *h, const std::size_t stride_row, const std::size_t stride_column, const unsigned int s)
+  {
     // Replaces the three entries along the row direction by map[s]^T times them, for every column.
     for (unsigned int j = 0; j < n; ++j)
     {
       double *const column = h + j * stride_column;
-      const double  v[3]   = {column[0], column[stride_row], column[2 * stride_row]};
+      const double v[3]    = {column[0], column[stride_row], column[2 * stride_row]};
       for (unsigned int c = 0; c < 3; ++c)
         column[c * stride_row] = tables.map[s][c] * v[0] + tables.map[s][3 + c] * v[1] + tables.map[s][6 + c] * v[2];
     }
@@ -73,8 +80,8 @@ void Contraction::apply_map(PointSums &sums) const
   }
 }
 
-// For each row block (f, c): first C[s, q][column block, J] = sum_s' w_q H[q][f s c][f' s' c'] T_s'(q, J), then one dense product T^T C.
-// Blocks that are zero at all points (most of the moment's) are left out.
+// For each row block (f, c): first C[s, q][column block, J] = sum_s' w_q H[q][f s c][f' s' c'] T_s'(q, J), then one
+// dense product T^T C. Blocks that are zero at all points (most of the moment's) are left out.
 void Contraction::matrix(PointSums &sums, std::vector<double> &matrix)
 {
   matrix.assign(std::size_t(rows) * rows, 0.);
@@ -82,7 +89,7 @@ void Contraction::matrix(PointSums &sums, std::vector<double> &matrix)
     apply_map(sums);
   const unsigned int n = sums.n_inputs, n_blocks = 3 * static_cast<unsigned int>(fields.size());
 
-  std::vector<double>       product;
+  std::vector<double> product;
   std::vector<unsigned int> columns;
   for (unsigned int row = 0; row < n_blocks; ++row)
   {
@@ -91,20 +98,21 @@ void Contraction::matrix(PointSums &sums, std::vector<double> &matrix)
       continue;
     // Which slots of this row and which column blocks hold anything?
     const unsigned int slots = row_field.n_slots;
-    unsigned int       first_slot = slots, last_slot = 0;
+    unsigned int first_slot = slots, last_slot = 0;
     columns.clear();
     for (unsigned int column = row; column < n_blocks; ++column)
     {
       if (!active[column / 3])
         continue;
       const Field &column_field = fields[column / 3];
-      bool         any          = false;
+      bool any                  = false;
       for (unsigned int s = 0; s < slots; ++s)
       {
         bool any_in_slot = false;
         for (unsigned int q = 0; q < n_points && !any_in_slot; ++q)
         {
-          const double *h = sums.hessian.data() + (std::size_t(q) * n + row_field.offset + 3 * s + row % 3) * n + column_field.offset + column % 3;
+          const double *h = sums.hessian.data() + (std::size_t(q) * n + row_field.offset + 3 * s + row % 3) * n +
+                            column_field.offset + column % 3;
           for (unsigned int t = 0; t < column_field.n_slots; ++t)
             any_in_slot = any_in_slot || h[3 * t] != 0.;
         }
@@ -122,13 +130,14 @@ void Contraction::matrix(PointSums &sums, std::vector<double> &matrix)
       continue;
 
     const unsigned int n_row_slots = last_slot - first_slot + 1;
-    const std::size_t  width       = columns.size() * n_nodes;
+    const std::size_t width        = columns.size() * n_nodes;
     half_contracted.assign(std::size_t(n_row_slots) * n_points * width, 0.);
     for (unsigned int s = 0; s < n_row_slots; ++s)
       for (unsigned int q = 0; q < n_points; ++q)
       {
-        const double *h_row = sums.hessian.data() + (std::size_t(q) * n + row_field.offset + 3 * (first_slot + s) + row % 3) * n;
-        double       *C     = half_contracted.data() + (std::size_t(s) * n_points + q) * width;
+        const double *h_row =
+            sums.hessian.data() + (std::size_t(q) * n + row_field.offset + 3 * (first_slot + s) + row % 3) * n;
+        double *C = half_contracted.data() + (std::size_t(s) * n_points + q) * width;
         for (const unsigned int column : columns)
         {
           const Field &column_field = fields[column / 3];
@@ -147,7 +156,7 @@ void Contraction::matrix(PointSums &sums, std::vector<double> &matrix)
 
     // product (n_nodes x width, row-major) = T^T C; in the column-major terms of BLAS: product^T = C^T T.
     product.resize(n_nodes * width);
-    const int    m = static_cast<int>(width), nn = static_cast<int>(n_nodes), k = static_cast<int>(n_row_slots * n_points);
+    const int m = static_cast<int>(width), nn = static_cast<int>(n_nodes), k = static_cast<int>(n_row_slots * n_points);
     const double one = 1., zero = 0.;
     dgemm_("N", "T", &m, &nn, &k, &one, half_contracted.data(), &m, table(first_slot), &nn, &zero, product.data(), &m);
 
@@ -155,7 +164,7 @@ void Contraction::matrix(PointSums &sums, std::vector<double> &matrix)
       for (unsigned int I = 0; I < n_nodes; ++I)
         for (unsigned int J = 0; J < n_nodes; ++J)
         {
-          const double      value = product[I * width + b * n_nodes + J];
+          const double value  = product[I * width + b * n_nodes + J];
           const std::size_t i = std::size_t(row) * n_nodes + I, j = std::size_t(columns[b]) * n_nodes + J;
           matrix[i * rows + j] = value;
           matrix[j * rows + i] = value;

@@ -14,8 +14,9 @@ using Direction = Vector3<double>;
 
 std::vector<Direction> admissible_directions(const SurfaceDiscretization &discretization, const std::size_t node)
 {
-  const AdmissibleDirections all = discretization.admissible.empty() ? AdmissibleDirections{} : discretization.admissible[node];
-  std::vector<Direction>     directions;
+  const AdmissibleDirections all =
+      discretization.admissible.empty() ? AdmissibleDirections{} : discretization.admissible[node];
+  std::vector<Direction> directions;
   for (unsigned int j = 0; j < all.count; ++j)
     directions.emplace_back(all.columns[j][0], all.columns[j][1], all.columns[j][2]);
   return directions;
@@ -28,14 +29,15 @@ void append_column(NodalChart::Node &node, const Direction &d, const bool mesh_e
   node.mesh_equation[node.count++] = mesh_equation;
 }
 
-// Orthonormal completion of d within the span of the admissible directions (Gram-Schmidt, the most independent candidate first).
+// Orthonormal completion of d within the span of the admissible directions (Gram-Schmidt, the most independent
+// candidate first).
 std::vector<Direction> tangents(const Direction &d, const std::vector<Direction> &admissible)
 {
   std::vector<Direction> basis{d};
   while (basis.size() < admissible.size())
   {
     Direction best;
-    double    best_norm = 0.;
+    double best_norm = 0.;
     for (Direction candidate : admissible)
     {
       for (const Direction &b : basis)
@@ -54,9 +56,9 @@ std::vector<Direction> tangents(const Direction &d, const std::vector<Direction>
 
 bool NodalChart::has_mesh_equations() const
 {
-  return std::any_of(nodes.begin(), nodes.end(), [](const Node &node) {
-    return node.mesh_equation[0] || node.mesh_equation[1] || node.mesh_equation[2];
-  });
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [](const Node &node)
+                     { return node.mesh_equation[0] || node.mesh_equation[1] || node.mesh_equation[2]; });
 }
 
 NodalChart free_chart(const SurfaceDiscretization &discretization)
@@ -82,21 +84,22 @@ NodalChart ale_chart(const SurfaceDiscretization &discretization, const NodalVec
 {
   NodalChart chart = graph_chart(discretization, normals);
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
-    for (const Direction &t : tangents({normals[3 * I], normals[3 * I + 1], normals[3 * I + 2]}, admissible_directions(discretization, I)))
+    for (const Direction &t :
+         tangents({normals[3 * I], normals[3 * I + 1], normals[3 * I + 2]}, admissible_directions(discretization, I)))
       append_column(chart.nodes[I], t, true);
   return chart;
 }
 
 NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const NodalVectors &positions)
 {
-  const bool                         meridian = discretization.kind == SurfaceDiscretization::Kind::meridian;
-  const std::vector<double>          line     = line_nodes(discretization.degree);
+  const bool meridian            = discretization.kind == SurfaceDiscretization::Kind::meridian;
+  const std::vector<double> line = line_nodes(discretization.degree);
   std::vector<std::array<double, 2>> sites;
   for (std::size_t i = 0; i < discretization.n_local(); ++i)
     sites.push_back({{0.5 * (1. + line[i % line.size()]), meridian ? 0. : 0.5 * (1. + line[i / line.size()])}});
   const ShapeTables tables = make_tables_at(discretization.kind, discretization.degree, sites);
 
-  NodalVectors        normals(3 * discretization.n_nodes, 0.);
+  NodalVectors normals(3 * discretization.n_nodes, 0.);
   std::vector<double> inputs(std::size_t(tables.n_points) * 18);
   for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
   {
@@ -104,7 +107,7 @@ NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const No
     evaluate_field(tables, nodes, positions, 3, inputs.data());
     for (unsigned int I = 0; I < tables.n_nodes; ++I)
     {
-      const double         *x = inputs.data() + 18 * I;
+      const double *x = inputs.data() + 18 * I;
       const Vector3<double> x1(x[3], x[4], x[5]);
       // On a meridian x,2 = r e_y vanishes at the poles, its direction does not.
       const Vector3<double> N = cross(x1, meridian ? Vector3<double>(0., 1., 0.) : Vector3<double>(x[6], x[7], x[8]));
@@ -115,7 +118,7 @@ NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const No
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
   {
     const Vector3<double> sum(normals[3 * I], normals[3 * I + 1], normals[3 * I + 2]);
-    Vector3<double>       d;
+    Vector3<double> d;
     for (const Direction &e : admissible_directions(discretization, I))
       d += dot(sum, e) * e;
     const double length = norm(d);
@@ -129,17 +132,18 @@ NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const No
 std::vector<double> nodal_areas(const SurfaceDiscretization &discretization, const NodalVectors &positions)
 {
   std::vector<double> areas(discretization.n_nodes, 0.);
-  const ShapeTables  &tables = discretization.tables;
+  const ShapeTables &tables = discretization.tables;
   std::vector<double> inputs(std::size_t(tables.n_points) * 18);
-  double              total = 0., sum = 0.;
+  double total = 0., sum = 0.;
   for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
   {
     const std::size_t *nodes = discretization.cell_nodes.data() + cell * tables.n_nodes;
     evaluate_field(tables, nodes, positions, 3, inputs.data());
     for (unsigned int q = 0; q < tables.n_points; ++q)
     {
-      const double *x  = inputs.data() + 18 * q;
-      const double  dA = tables.weights[q] * norm(cross(Vector3<double>(x[3], x[4], x[5]), Vector3<double>(x[6], x[7], x[8])));
+      const double *x = inputs.data() + 18 * q;
+      const double dA =
+          tables.weights[q] * norm(cross(Vector3<double>(x[3], x[4], x[5]), Vector3<double>(x[6], x[7], x[8])));
       total += dA;
       for (unsigned int I = 0; I < tables.n_nodes; ++I)
       {

@@ -34,18 +34,18 @@ Direction normalised(const Direction &c)
 }
 
 /**
- * Directions of the (2^r + 1)^2 vertices of a face of the cube, first coordinate fastest: every refinement puts new ones at the middle of great
- * circles between neighbours, and at the mean of four.
+ * Directions of the (2^r + 1)^2 vertices of a face of the cube, first coordinate fastest: every refinement puts new
+ * ones at the middle of great circles between neighbours, and at the mean of four.
  */
 std::vector<Direction> vertex_grid(const std::array<Direction, 4> &corners, const unsigned int refinements)
 {
   std::vector<Direction> grid(corners.begin(), corners.end());
-  std::size_t            n = 2; // vertices in a row
+  std::size_t n = 2; // vertices in a row
   for (unsigned int r = 0; r < refinements; ++r)
   {
-    const std::size_t      m = 2 * n - 1;
+    const std::size_t m = 2 * n - 1;
     std::vector<Direction> finer(m * m);
-    const auto             old = [&](const std::size_t i, const std::size_t j) { return grid[j * n + i]; };
+    const auto old = [&](const std::size_t i, const std::size_t j) { return grid[j * n + i]; };
     for (std::size_t j = 0; j < m; ++j)
       for (std::size_t i = 0; i < m; ++i)
       {
@@ -73,9 +73,9 @@ Direction spherical_mean(const std::array<Direction, 4> &points, const std::arra
     Direction step;
     for (unsigned int i = 0; i < 4; ++i)
     {
-      const double    cosine  = dot(mean, points[i]);
+      const double cosine     = dot(mean, points[i]);
       const Direction tangent = points[i] - cosine * mean;
-      const double    sine    = norm(tangent);
+      const double sine       = norm(tangent);
       if (sine > 0.)
         step += (weights[i] * std::atan2(sine, cosine) / sine) * tangent;
     }
@@ -87,34 +87,40 @@ Direction spherical_mean(const std::array<Direction, 4> &points, const std::arra
 }
 } // namespace
 
-SurfaceDiscretization on_cube_sphere(const SmoothShape &shape, const unsigned int degree, const unsigned int refinements)
+SurfaceDiscretization on_cube_sphere(const SmoothShape &shape, const unsigned int degree,
+                                     const unsigned int refinements)
 {
-  const std::vector<Direction>        vertices = cube_vertices();
-  const RefinedQuads                  mesh     = refine_quads(vertices, cube_faces(), refinements, degree);
-  const std::size_t                   n_cells  = std::size_t(1) << refinements; // in a row of a face
+  const std::vector<Direction> vertices = cube_vertices();
+  const RefinedQuads mesh               = refine_quads(vertices, cube_faces(), refinements, degree);
+  const std::size_t n_cells             = std::size_t(1) << refinements; // in a row of a face
   std::vector<std::vector<Direction>> grids;
   for (const QuadVertices &face : mesh.patches)
-    grids.push_back(vertex_grid({{normalised(vertices[face[0]]), normalised(vertices[face[1]]), normalised(vertices[face[2]]), normalised(vertices[face[3]])}},
+    grids.push_back(vertex_grid({{normalised(vertices[face[0]]), normalised(vertices[face[1]]),
+                                  normalised(vertices[face[2]]), normalised(vertices[face[3]])}},
                                 refinements));
 
-  const auto direction = [&](const PatchPoint &site) {
+  const auto direction = [&](const PatchPoint &site)
+  {
     const auto split = [&](const double xi) { // cell in its row, and coordinate in the cell
-      const double      x    = 0.5 * (1. + xi) * static_cast<double>(n_cells);
+      const double x         = 0.5 * (1. + xi) * static_cast<double>(n_cells);
       const std::size_t cell = std::min(static_cast<std::size_t>(x), n_cells - 1);
       return std::make_pair(cell, x - static_cast<double>(cell));
     };
-    const auto [i, u]  = split(site.xi);
-    const auto [j, v]  = split(site.eta);
-    const auto  vertex = [&](const std::size_t a, const std::size_t b) { return grids[site.patch][b * (n_cells + 1) + a]; };
+    const auto [i, u] = split(site.xi);
+    const auto [j, v] = split(site.eta);
+    const auto vertex = [&](const std::size_t a, const std::size_t b)
+    { return grids[site.patch][b * (n_cells + 1) + a]; };
     return spherical_mean({{vertex(i, j), vertex(i + 1, j), vertex(i, j + 1), vertex(i + 1, j + 1)}},
                           {{(1. - u) * (1. - v), u * (1. - v), (1. - u) * v, u * v}});
   };
-  SurfaceDiscretization result = place_nodes(mesh, degree, [&](const PatchPoint &site) { return shape.point(direction(site)); });
-  result.mesh_reference        = result.positions;
+  SurfaceDiscretization result =
+      place_nodes(mesh, degree, [&](const PatchPoint &site) { return shape.point(direction(site)); });
+  result.mesh_reference = result.positions;
   if (shape.even_mesh == SmoothShape::EvenMesh::sphere)
   {
-    const double radius   = std::sqrt(shape.area / (4. * 3.141592653589793));
-    result.mesh_reference = place_nodes(mesh, degree, [&](const PatchPoint &site) { return radius * direction(site); }).positions;
+    const double radius = std::sqrt(shape.area / (4. * 3.141592653589793));
+    result.mesh_reference =
+        place_nodes(mesh, degree, [&](const PatchPoint &site) { return radius * direction(site); }).positions;
   }
   return result;
 }

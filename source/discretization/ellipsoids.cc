@@ -41,15 +41,18 @@ double spheroid_area(const double t)
 }
 
 /**
- * Spheroid with semi axes 1, 1, c = e^t. A prolate one is not simply a stretched sphere, which crowds nodes a little too much at its tips: polar angles are mapped
- * by tan(tau) = c^q tan(theta) first, so that the spacing of nodes along a meridian goes from c^q at the tips to c^(1 - q) at the equator.
+ * Spheroid with semi axes 1, 1, c = e^t. A prolate one is not simply a stretched sphere, which crowds nodes a little
+ * too much at its tips: polar angles are mapped by tan(tau) = c^q tan(theta) first, so that the spacing of nodes along
+ * a meridian goes from c^q at the tips to c^(1 - q) at the equator.
  */
 SmoothShape spheroid(const double t)
 {
-  constexpr double q     = 0.04; // measured on the prolate of v = 0.65: the energy errors of Q3 and Q4 on 96 cells are smallest between 0 and 0.06
-  SmoothShape      shape = stretched_sphere({{1., 1., std::exp(t)}}, spheroid_area(t));
+  constexpr double q = 0.04; // measured on the prolate of v = 0.65: the energy errors of Q3 and Q4 on 96 cells are
+                             // smallest between 0 and 0.06
+  SmoothShape shape = stretched_sphere({{1., 1., std::exp(t)}}, spheroid_area(t));
   if (t > 0.)
-    shape.point = [stretched = shape.point, g = std::exp(q * t)](const Vector3<double> &u) {
+    shape.point = [stretched = shape.point, g = std::exp(q * t)](const Vector3<double> &u)
+    {
       const Vector3<double> v(g * u[0], g * u[1], u[2]);
       return stretched(v / norm(v));
     };

@@ -15,11 +15,15 @@ namespace pellicle
 {
 namespace
 {
-constexpr double pi             = 3.141592653589793;
+constexpr double pi = 3.141592653589793;
+/// Nodes are spread by d(arc length) + crowding d(tau): half of tau belongs to the rim, where the outline is most
+/// curved (and the neck narrow). Measured at v = 0.62, Q3 and Q4 on 96 and 384 cells: energy errors are 10 to 50 times
+/// smaller than with arc length alone.
+constexpr double crowding       = 1.6;
 constexpr double half_opening   = pi / 10.;
 constexpr double thickest_cup   = 0.30; ///< R_i of the largest reduced volume
 constexpr double thinnest_cup   = 0.85; ///< R_i of the smallest
-constexpr unsigned int n_panels = 128;  ///< of the outline, for quadrature and for finding an arc length
+constexpr unsigned int n_panels = 128;  ///< of the outline, for quadrature and for finding a station
 using PanelRule                 = boost::math::quadrature::gauss<double, 15>;
 
 /** The outline eta^2 + y^n = 1 by the angle tau in the (eta, y) plane, from the outer pole (tau = 0) to the inner one
@@ -38,11 +42,11 @@ public:
       , half_thickness((1. - inner_radius) / 2.)
       , exponent(2. * span * mean_radius / half_thickness) // radius of curvature half_thickness at y = 1
   {
-    arc_lengths.push_back(0.);
+    stations.push_back(0.);
     for (unsigned int p = 0; p < n_panels; ++p)
     {
       const double a = pi * p / n_panels, b = pi * (p + 1) / n_panels;
-      arc_lengths.push_back(arc_lengths.back() + arc_length(a, b));
+      stations.push_back(stations.back() + spread(a, b));
       area += 2. * pi * PanelRule::integrate([&](const double tau) { return at(tau).r * at(tau).speed(); }, a, b);
       volume += pi * PanelRule::integrate([&](const double tau) { return at(tau).r * at(tau).r * at(tau).dz; }, a, b);
     }
@@ -74,18 +78,18 @@ public:
             -dradius * cosine + radius * sine * span * dy};
   }
 
-  double length() const { return arc_lengths.back(); }
+  double length() const { return stations.back(); }
 
-  /** Parameter at the given arc length from the outer pole. */
+  /** Parameter at the given measure of spread nodes from the outer pole. */
   double find(const double wanted) const
   {
-    const auto above         = std::upper_bound(arc_lengths.begin() + 1, arc_lengths.end() - 1, wanted);
-    const unsigned int panel = static_cast<unsigned int>(above - arc_lengths.begin()) - 1;
+    const auto above         = std::upper_bound(stations.begin() + 1, stations.end() - 1, wanted);
+    const unsigned int panel = static_cast<unsigned int>(above - stations.begin()) - 1;
     const double a           = pi * panel / n_panels;
-    double tau = a + pi / n_panels * (wanted - arc_lengths[panel]) / (arc_lengths[panel + 1] - arc_lengths[panel]);
+    double tau               = a + pi / n_panels * (wanted - stations[panel]) / (stations[panel + 1] - stations[panel]);
     for (int iteration = 0; iteration < 20; ++iteration)
     {
-      const double step = (arc_lengths[panel] + arc_length(a, tau) - wanted) / at(tau).speed();
+      const double step = (stations[panel] + spread(a, tau) - wanted) / (at(tau).speed() + crowding);
       tau               = std::clamp(tau - step, a, a + pi / n_panels);
       if (std::abs(step) < 1e-14)
         break;
@@ -96,15 +100,15 @@ public:
   double area = 0., volume = 0.;
 
 private:
-  double arc_length(const double a, const double b) const
+  double spread(const double a, const double b) const
   {
-    return a == b ? 0. : PanelRule::integrate([&](const double tau) { return at(tau).speed(); }, a, b);
+    return a == b ? 0. : PanelRule::integrate([&](const double tau) { return at(tau).speed() + crowding; }, a, b);
   }
 
   static constexpr double span = pi - half_opening; ///< angle covered by y in [0, 1]
 
   double mean_radius, half_thickness, exponent;
-  std::vector<double> arc_lengths; ///< at the ends of the panels
+  std::vector<double> stations; ///< integral of the spread up to the ends of the panels
 };
 
 SmoothShape cup(const double inner_radius)

@@ -9,10 +9,11 @@ namespace pellicle
 {
 namespace
 {
-constexpr int    max_iterations = 10;
-constexpr double tolerance      = 1e-11; // of the residual relative to the cells' contributions
+constexpr int max_iterations = 10;
+constexpr double tolerance   = 1e-11; // of the residual relative to the cells' contributions
 
-std::vector<NodalChart> charts_of_internal_fields(const SurfaceDiscretization &discretization, const FieldLayout &layout)
+std::vector<NodalChart> charts_of_internal_fields(const SurfaceDiscretization &discretization,
+                                                  const FieldLayout &layout)
 {
   std::vector<NodalChart> charts;
   for (const Field &field : layout.fields())
@@ -21,20 +22,26 @@ std::vector<NodalChart> charts_of_internal_fields(const SurfaceDiscretization &d
 }
 } // namespace
 
-InternalElimination::InternalElimination(const SurfaceDiscretization &discretization, const FieldLayout &layout, const PotentialSet &set,
-                                         const Communicator &communicator, const std::string &linear_solver, Timing &timing)
-    : layout(layout), assembler(discretization, layout, communicator, Assembler::internal(set, layout)),
-      system(discretization, Numbering(charts_of_internal_fields(discretization, layout), 0, 0), communicator),
-      n_unknowns(system.numbering().size()), solver(make_linear_solver(linear_solver)), timing(timing)
-{}
+InternalElimination::InternalElimination(const SurfaceDiscretization &discretization, const FieldLayout &layout,
+                                         const PotentialSet &set, const Communicator &communicator,
+                                         const std::string &linear_solver, Timing &timing)
+    : layout(layout)
+    , assembler(discretization, layout, communicator, Assembler::internal(set, layout))
+    , system(discretization, Numbering(charts_of_internal_fields(discretization, layout), 0, 0), communicator)
+    , n_unknowns(system.numbering().size())
+    , solver(make_linear_solver(linear_solver))
+    , timing(timing)
+{
+}
 
-double InternalElimination::relative_residual(const PotentialSet &set, const std::vector<double> &multipliers, const FieldValues &values,
-                                              const Order order)
+double InternalElimination::relative_residual(const PotentialSet &set, const std::vector<double> &multipliers,
+                                              const FieldValues &values, const Order order)
 {
   const Timing::Scope scope(timing, "assembly");
   system.begin();
   assembler.loop(set, values, multipliers, order,
-                 [&](const std::size_t cell, const Element &element, const auto & /*constraint_gradients*/) {
+                 [&](const std::size_t cell, const Element &element, const auto & /*constraint_gradients*/)
+                 {
                    if (order == Order::hessian)
                      system.add_cell(cell, element, {}, nullptr);
                    else

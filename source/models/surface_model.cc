@@ -2,6 +2,7 @@
 #include <pellicle/base/exceptions.h>
 #include <pellicle/models/surface_model.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -10,12 +11,12 @@ namespace pellicle
 {
 namespace
 {
-// Divides by the scene's length and moves the centroid of the nodes to the origin (a meridian only along z), so that round-off knows neither
-// units nor place.
+// Divides by the scene's length and moves the centroid of the nodes to the origin (a meridian only along z), so that
+// round-off knows neither units nor place.
 std::array<double, 3> normalise(SurfaceDiscretization &discretization, const double length)
 {
   std::array<double, 3> centre{};
-  const bool            meridian = discretization.kind == SurfaceDiscretization::Kind::meridian;
+  const bool meridian = discretization.kind == SurfaceDiscretization::Kind::meridian;
   for (unsigned int c = meridian ? 2 : 0; c < 3; ++c)
   {
     if (discretization.mirror)
@@ -34,7 +35,11 @@ std::array<double, 3> normalise(SurfaceDiscretization &discretization, const dou
 class InUsersUnits : public Observer
 {
 public:
-  InUsersUnits(Observer &observer, const Scales &unit) : observer(observer), unit(unit) {}
+  InUsersUnits(Observer &observer, const Scales &unit)
+      : observer(observer)
+      , unit(unit)
+  {
+  }
   void on_iteration(const IterationReport &report) override
   {
     IterationReport scaled_report = report;
@@ -43,20 +48,24 @@ public:
   }
 
 private:
-  Observer     &observer;
+  Observer &observer;
   const Scales &unit;
 };
 } // namespace
 
 SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &communicator, Timing &timing)
-    : newton(scene.newton), unit(scene.scales()), communicator(communicator), timing(timing),
-      discretization(make_start_shape(scene.start_shape()))
+    : newton(scene.newton)
+    , unit(scene.scales())
+    , communicator(communicator)
+    , timing(timing)
+    , discretization(make_start_shape(scene.start_shape()))
 {
   centroid         = normalise(discretization, unit.length);
   bending_rigidity = scene.bending_rigidity() / unit.energy;
   add_node_noise(scene.vesicle);
   set_blas_threads(newton.threads);
-  problem = std::make_unique<SurfaceProblem>(discretization, scene.potentials(unit), communicator, newton.linear_solver, timing);
+  problem = std::make_unique<SurfaceProblem>(discretization, scene.potentials(unit), communicator, newton.linear_solver,
+                                             timing);
   solver  = make_linear_solver(newton.linear_solver);
   check_constraints_are_independent();
 }
@@ -68,9 +77,9 @@ void SurfaceModel::add_node_noise(const VesicleParameters &vesicle)
   double area = 0.;
   for (const double a : nodal_areas(discretization, discretization.positions))
     area += a;
-  const bool   meridian = discretization.kind == SurfaceDiscretization::Kind::meridian;
-  const double spacing  = meridian ? std::sqrt(area) / static_cast<double>(discretization.n_nodes)
-                                   : std::sqrt(area / static_cast<double>(discretization.n_nodes));
+  const bool meridian  = discretization.kind == SurfaceDiscretization::Kind::meridian;
+  const double spacing = meridian ? std::sqrt(area) / static_cast<double>(discretization.n_nodes)
+                                  : std::sqrt(area / static_cast<double>(discretization.n_nodes));
   std::mt19937 random(static_cast<std::uint32_t>(vesicle.random_seed));
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
   {
@@ -78,7 +87,8 @@ void SurfaceModel::add_node_noise(const VesicleParameters &vesicle)
     Vector3<double> noise;
     for (unsigned int c = 0; c < 3; ++c)
       noise[c] = vesicle.node_noise * spacing * (2. * (random() / 4294967296.) - 1.);
-    const AdmissibleDirections directions = discretization.admissible.empty() ? AdmissibleDirections{} : discretization.admissible[I];
+    const AdmissibleDirections directions =
+        discretization.admissible.empty() ? AdmissibleDirections{} : discretization.admissible[I];
     for (unsigned int j = 0; j < directions.count; ++j)
     {
       const Vector3<double> e(directions.columns[j][0], directions.columns[j][1], directions.columns[j][2]);
@@ -92,7 +102,7 @@ void SurfaceModel::add_node_noise(const VesicleParameters &vesicle)
 void SurfaceModel::check_constraints_are_independent()
 {
   constexpr double smallest_sine_squared = 1e-6;
-  const auto      &constraints           = problem->potentials().constraints;
+  const auto &constraints                = problem->potentials().constraints;
   std::vector<std::size_t> hard;
   for (std::size_t k = 0; k < constraints.size(); ++k)
     if (!std::isfinite(constraints[k].stiffness))
@@ -104,8 +114,9 @@ void SurfaceModel::check_constraints_are_independent()
   for (std::size_t a = 0; a < hard.size(); ++a)
     for (std::size_t b = a + 1; b < hard.size(); ++b)
     {
-      const std::vector<double> &ga = problem->constraint_gradient(hard[a]), &gb = problem->constraint_gradient(hard[b]);
-      double                     aa = 0., ab = 0., bb = 0.;
+      const std::vector<double> &ga = problem->constraint_gradient(hard[a]),
+                                &gb = problem->constraint_gradient(hard[b]);
+      double aa = 0., ab = 0., bb = 0.;
       for (std::size_t i = 0; i < ga.size(); ++i)
       {
         aa += ga[i] * ga[i];
@@ -113,9 +124,12 @@ void SurfaceModel::check_constraints_are_independent()
         bb += gb[i] * gb[i];
       }
       if (1. - ab * ab / (aa * bb) < smallest_sine_squared)
-        throw UserError("The start shape is a sphere: " + constraints[hard[a]].measure->name() + " and " + constraints[hard[b]].measure->name() +
-                        " have parallel gradients there, so their multipliers are not determined. Start slightly off the sphere, for example with "
-                        "Vesicle/Start shape = prolate or ellipsoid with Semi axes = 1, 1, 1.02, or drop one of the two constraints.");
+        throw UserError("The start shape is a sphere: " + constraints[hard[a]].measure->name() + " and " +
+                        constraints[hard[b]].measure->name() +
+                        " have parallel gradients there, so their multipliers are not determined. Start slightly off "
+                        "the sphere, for example with "
+                        "Vesicle/Start shape = prolate or ellipsoid with Semi axes = 1, 1, 1.02, or drop one of the "
+                        "two constraints.");
     }
 }
 
@@ -128,15 +142,21 @@ void SurfaceModel::update(const SurfaceScene &scene)
 
 StepResult SurfaceModel::solve(const int step, Observer &observer)
 {
-  StepResult         result;
-  const SurfaceState before = problem->state();
-  const NodalVectors mesh_reference =
-      newton.mesh_reference == "start shape" && !discretization.mesh_reference.empty() ? discretization.mesh_reference : before.fields[0];
+  StepResult result;
+  const SurfaceState before         = problem->state();
+  const NodalVectors mesh_reference = newton.mesh_reference == "start shape" && !discretization.mesh_reference.empty()
+                                          ? discretization.mesh_reference
+                                          : before.fields[0];
   InUsersUnits energies(observer, unit);
 
-  const auto iterate = [&](const PositionChart chart) {
+  // Where there is something else to try, thirty iterations are enough to see whether a chart suits the shape.
+  NewtonParameters method_parameters = newton;
+  if (newton.chart == "automatic")
+    method_parameters.max_iterations = std::min(newton.max_iterations, 30);
+  const auto iterate = [&](const PositionChart chart)
+  {
     problem->use_chart(chart, mesh_reference);
-    Newton             method(newton, *solver, timing);
+    Newton method(method_parameters, *solver, timing);
     const NewtonResult outcome = method.solve(*problem, step, energies, result.iterations);
     result.iterations += outcome.iterations;
     result.rejected += outcome.rejected;
@@ -146,12 +166,14 @@ StepResult SurfaceModel::solve(const int step, Observer &observer)
       result.relative_residual = outcome.relative_residual;
     return outcome.converged;
   };
-  const auto polish = [&] {
+  const auto polish = [&]
+  {
     const SurfaceState graph = problem->state();
     if (iterate(PositionChart::ale))
       return;
-    result.warnings.push_back("The polishing in the ALE chart did not converge (" + result.failure +
-                              "): the equilibrium in the normal-graph chart is reported. More cells or load steps help.");
+    result.warnings.push_back(
+        "The polishing in the ALE chart did not converge (" + result.failure +
+        "): the equilibrium in the normal-graph chart is reported. More cells or load steps help.");
     result.converged = true;
     problem->set_state(graph);
   };
@@ -190,7 +212,7 @@ std::optional<int> SurfaceModel::negative_eigenvalues()
 
 std::vector<std::pair<std::string, std::size_t>> SurfaceModel::unknown_counts() const
 {
-  const Numbering                                 &numbering = problem->numbering();
+  const Numbering &numbering = problem->numbering();
   std::vector<std::pair<std::string, std::size_t>> counts;
   for (std::size_t f = 0; f < problem->layout().fields().size(); ++f)
     counts.emplace_back(problem->layout().fields()[f].name, numbering.n_unknowns_of(f));

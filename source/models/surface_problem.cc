@@ -10,23 +10,25 @@ namespace pellicle
 {
 namespace
 {
-constexpr double rigid_rho     = 1e4; // stiffness of the gauge against rigid motions; its size has no influence on a solution
+constexpr double rigid_rho =
+    1e4; // stiffness of the gauge against rigid motions; its size has no influence on a solution
 constexpr double chart_reach   = 0.1; // displacement, relative to the length, after which normals and gauge are renewed
 constexpr double merit_penalty = 10.; // of squared constraint violations in the merit, internal units
 
 // w_I (t + r x x_I) for each rigid motion.
-std::vector<NodalVectors> weighted_rigid_motions(const SurfaceDiscretization &discretization, const NodalVectors &positions,
-                                                 const std::vector<double> &areas)
+std::vector<NodalVectors> weighted_rigid_motions(const SurfaceDiscretization &discretization,
+                                                 const NodalVectors &positions, const std::vector<double> &areas)
 {
   std::vector<NodalVectors> directions;
   for (const RigidMotion &motion : discretization.rigid_motions)
   {
-    NodalVectors          direction(3 * discretization.n_nodes);
+    NodalVectors direction(3 * discretization.n_nodes);
     const Vector3<double> t(motion.translation[0], motion.translation[1], motion.translation[2]);
     const Vector3<double> r(motion.rotation[0], motion.rotation[1], motion.rotation[2]);
     for (std::size_t I = 0; I < discretization.n_nodes; ++I)
     {
-      const Vector3<double> v = t + cross(r, Vector3<double>(positions[3 * I], positions[3 * I + 1], positions[3 * I + 2]));
+      const Vector3<double> v =
+          t + cross(r, Vector3<double>(positions[3 * I], positions[3 * I + 1], positions[3 * I + 2]));
       for (unsigned int c = 0; c < 3; ++c)
         direction[3 * I + c] = areas[I] * v[c];
     }
@@ -38,13 +40,16 @@ std::vector<NodalVectors> weighted_rigid_motions(const SurfaceDiscretization &di
 
 bool is_reparametrisation_invariant(const PotentialSet &set)
 {
-  return std::all_of(set.energies.begin(), set.energies.end(), [](const auto &energy) { return energy->reparametrisation_invariant(); }) &&
-         std::all_of(set.constraints.begin(), set.constraints.end(), [](const auto &c) { return c.measure->reparametrisation_invariant(); });
+  return std::all_of(set.energies.begin(), set.energies.end(),
+                     [](const auto &energy) { return energy->reparametrisation_invariant(); }) &&
+         std::all_of(set.constraints.begin(), set.constraints.end(),
+                     [](const auto &c) { return c.measure->reparametrisation_invariant(); });
 }
 
-std::vector<ReferenceMetric> reference_metric(const SurfaceDiscretization &discretization, const NodalVectors &positions)
+std::vector<ReferenceMetric> reference_metric(const SurfaceDiscretization &discretization,
+                                              const NodalVectors &positions)
 {
-  const ShapeTables           &tables = discretization.tables;
+  const ShapeTables &tables = discretization.tables;
   std::vector<ReferenceMetric> metric;
   metric.reserve(discretization.n_cells * tables.n_points);
   std::vector<double> inputs(std::size_t(tables.n_points) * 18);
@@ -53,7 +58,7 @@ std::vector<ReferenceMetric> reference_metric(const SurfaceDiscretization &discr
     evaluate_field(tables, discretization.cell_nodes.data() + cell * tables.n_nodes, positions, 3, inputs.data());
     for (unsigned int q = 0; q < tables.n_points; ++q)
     {
-      const double         *x = inputs.data() + 18 * q;
+      const double *x = inputs.data() + 18 * q;
       const Vector3<double> x1(x[3], x[4], x[5]), x2(x[6], x[7], x[8]);
       metric.push_back({dot(x1, x1), dot(x1, x2), dot(x2, x2)});
     }
@@ -61,15 +66,20 @@ std::vector<ReferenceMetric> reference_metric(const SurfaceDiscretization &discr
   return metric;
 }
 
-SurfaceProblem::SurfaceProblem(const SurfaceDiscretization &discretization, PotentialSet potential_set, const Communicator &communicator,
-                               std::string linear_solver, Timing &timing)
-    : discretization(discretization), set(std::move(potential_set)), communicator(communicator), timing(timing), field_layout(set),
-      assembler(discretization, field_layout, communicator, Assembler::everything(set, field_layout)),
-      elimination(discretization, field_layout, set, communicator, linear_solver, timing)
+SurfaceProblem::SurfaceProblem(const SurfaceDiscretization &discretization, PotentialSet potential_set,
+                               const Communicator &communicator, std::string linear_solver, Timing &timing)
+    : discretization(discretization)
+    , set(std::move(potential_set))
+    , communicator(communicator)
+    , timing(timing)
+    , field_layout(set)
+    , assembler(discretization, field_layout, communicator, Assembler::everything(set, field_layout))
+    , elimination(discretization, field_layout, set, communicator, linear_solver, timing)
 {
   SurfaceState start;
   for (const Field &field : field_layout.fields())
-    start.fields.push_back(field.name == "position" ? discretization.positions : NodalVectors(3 * discretization.n_nodes, 0.));
+    start.fields.push_back(field.name == "position" ? discretization.positions
+                                                    : NodalVectors(3 * discretization.n_nodes, 0.));
   start.multipliers.assign(set.constraints.size(), 0.);
   set_state(std::move(start));
 }
@@ -84,7 +94,8 @@ void SurfaceProblem::set_state(SurfaceState state)
 {
   current = std::move(state);
   if (!elimination.empty() && !elimination.solve(set, current.multipliers, current.fields))
-    throw SolveError("The equations of the internal fields (moment) cannot be solved on this shape: a cell is degenerate. Refine the mesh, lower its "
+    throw SolveError("The equations of the internal fields (moment) cannot be solved on this shape: a cell is "
+                     "degenerate. Refine the mesh, lower its "
                      "degree or give a better start shape.");
   current_values = evaluate(current.fields);
 }
@@ -96,25 +107,28 @@ void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors
   if (chart == PositionChart::ale)
   {
     if (!is_reparametrisation_invariant(set))
-      throw UserError("Newton/Chart = ale replaces tangential equilibrium by mesh equations, but a listed effect acts tangentially (its coefficients or "
+      throw UserError("Newton/Chart = ale replaces tangential equilibrium by mesh equations, but a listed effect acts "
+                      "tangentially (its coefficients or "
                       "references are attached to material points). Use Newton/Chart = graph.");
-    mesh_set       = {};
+    mesh_set = {};
     mesh_set.energies.push_back(make_mesh_distortion(reference_metric(discretization, mesh_reference)));
     mesh_layout    = std::make_unique<FieldLayout>(mesh_set);
-    mesh_assembler = std::make_unique<Assembler>(discretization, *mesh_layout, communicator, Assembler::everything(mesh_set, *mesh_layout));
+    mesh_assembler = std::make_unique<Assembler>(discretization, *mesh_layout, communicator,
+                                                 Assembler::everything(mesh_set, *mesh_layout));
   }
 
   system = std::make_unique<BorderedSystem>(
-      discretization, Numbering(charts_here(), set.constraints.size(), discretization.rigid_motions.size()), communicator);
+      discretization, Numbering(charts_here(), set.constraints.size(), discretization.rigid_motions.size()),
+      communicator);
   recentre_chart();
 }
 
 std::vector<NodalChart> SurfaceProblem::charts_here() const
 {
-  const NodalVectors      normals = nodal_normals(discretization, current.fields[0]);
+  const NodalVectors normals = nodal_normals(discretization, current.fields[0]);
   std::vector<NodalChart> charts;
   for (const Field &field : field_layout.fields())
-    charts.push_back(field.name != "position"       ? free_chart(discretization)
+    charts.push_back(field.name != "position"        ? free_chart(discretization)
                      : chart == PositionChart::graph ? graph_chart(discretization, normals)
                                                      : ale_chart(discretization, normals));
   return charts;
@@ -146,20 +160,23 @@ void SurfaceProblem::linearize()
 {
   const Timing::Scope scope(timing, "assembly");
   system->begin();
-  TermValues                       mesh_values{{0.}, {}};
-  Element                          mesh_element;
+  TermValues mesh_values{{0.}, {}};
+  Element mesh_element;
   std::vector<std::vector<double>> no_constraints;
-  const bool                       with_mesh = chart == PositionChart::ale;
-  const FieldValues                mesh_fields = with_mesh ? FieldValues{current.fields[0]} : FieldValues{};
-  current_values = assembler.loop(set, current.fields, current.multipliers, Order::hessian,
-                                  [&](const std::size_t cell, const Element &element, const auto &constraint_gradients) {
-                                    if (with_mesh)
-                                      mesh_assembler->evaluate(mesh_set, mesh_fields, {}, Order::hessian, cell, mesh_values, mesh_element,
-                                                               no_constraints);
-                                    system->add_cell(cell, element, constraint_gradients, with_mesh ? &mesh_element : nullptr);
-                                  });
+  const bool with_mesh          = chart == PositionChart::ale;
+  const FieldValues mesh_fields = with_mesh ? FieldValues{current.fields[0]} : FieldValues{};
+  current_values =
+      assembler.loop(set, current.fields, current.multipliers, Order::hessian,
+                     [&](const std::size_t cell, const Element &element, const auto &constraint_gradients)
+                     {
+                       if (with_mesh)
+                         mesh_assembler->evaluate(mesh_set, mesh_fields, {}, Order::hessian, cell, mesh_values,
+                                                  mesh_element, no_constraints);
+                       system->add_cell(cell, element, constraint_gradients, with_mesh ? &mesh_element : nullptr);
+                     });
   for (std::size_t k = 0; k < set.constraints.size(); ++k)
-    system->set_constraint(k, 1. / set.constraints[k].stiffness, constraint_residual(k, current_values, current.multipliers[k]));
+    system->set_constraint(k, 1. / set.constraints[k].stiffness,
+                           constraint_residual(k, current_values, current.multipliers[k]));
   for (std::size_t k = 0; k < rigid_directions.size(); ++k)
     system->set_rigid_motion(k, rigid_directions[k], 1. / rigid_rho, current.rigid_reactions[k]);
   system->finish();
@@ -174,13 +191,14 @@ double SurfaceProblem::constraint_violation() const
 {
   double largest = 0.;
   for (std::size_t k = 0; k < set.constraints.size(); ++k)
-    largest = std::max(largest, std::abs(constraint_residual(k, current_values, current.multipliers[k])) / std::abs(set.constraints[k].target));
+    largest = std::max(largest, std::abs(constraint_residual(k, current_values, current.multipliers[k])) /
+                                    std::abs(set.constraints[k].target));
   return largest;
 }
 
 void SurfaceProblem::add_drag(const double zeta)
 {
-  const Numbering    &numbering = system->numbering();
+  const Numbering &numbering = system->numbering();
   std::vector<double> weights(numbering.n_nodal, 0.);
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
     for (unsigned int a = 0; a < numbering.count(0, I); ++a)
@@ -191,7 +209,7 @@ void SurfaceProblem::add_drag(const double zeta)
 int SurfaceProblem::expected_negative_pivots() const
 {
   const Numbering &numbering = system->numbering();
-  std::size_t      n         = numbering.n_constraints + numbering.n_rigid;
+  std::size_t n              = numbering.n_constraints + numbering.n_rigid;
   for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
     if (field_layout.fields()[f].role == FieldRole::internal)
       n += numbering.n_unknowns_of(f);
@@ -210,13 +228,13 @@ std::vector<double> SurfaceProblem::full_step_multipliers(const std::vector<doub
 double SurfaceProblem::merit_of(const TermValues &values, const std::vector<double> &direction) const
 {
   const std::vector<double> multipliers = full_step_multipliers(direction);
-  double                    merit       = 0.;
+  double merit                          = 0.;
   for (const double energy : values.energies)
     merit += energy;
   for (std::size_t k = 0; k < multipliers.size(); ++k)
   {
     const Constraint &constraint = set.constraints[k];
-    const double      violation  = values.constraints[k] - constraint.target;
+    const double violation       = values.constraints[k] - constraint.target;
     merit += std::isfinite(constraint.stiffness) ? 0.5 * constraint.stiffness * violation * violation
                                                  : multipliers[k] * violation + merit_penalty * violation * violation;
   }
@@ -230,20 +248,21 @@ double SurfaceProblem::merit(const std::vector<double> &direction) const
 
 double SurfaceProblem::merit_slope(const std::vector<double> &direction) const
 {
-  // The residual holds dE/dx + lambda dg/dx with the present lambda; the moment's residual is zero, so the sum over all unknowns is the
-  // derivative of the reduced energy.
+  // The residual holds dE/dx + lambda dg/dx with the present lambda; the moment's residual is zero, so the sum over all
+  // unknowns is the derivative of the reduced energy.
   const std::vector<double> multipliers = full_step_multipliers(direction);
-  const std::size_t         n           = system->numbering().n_nodal;
-  double                    slope       = 0.;
+  const std::size_t n                   = system->numbering().n_nodal;
+  double slope                          = 0.;
   for (std::size_t i = 0; i < n; ++i)
     slope += system->residual()[i] * direction[i];
   for (std::size_t k = 0; k < multipliers.size(); ++k)
   {
     const Constraint &constraint = set.constraints[k];
-    const double      violation  = current_values.constraints[k] - constraint.target;
-    const double      factor     = std::isfinite(constraint.stiffness) ? constraint.stiffness * violation - current.multipliers[k]
-                                                                       : multipliers[k] - current.multipliers[k] + 2. * merit_penalty * violation;
-    double            along      = 0.;
+    const double violation       = current_values.constraints[k] - constraint.target;
+    const double factor          = std::isfinite(constraint.stiffness)
+                                       ? constraint.stiffness * violation - current.multipliers[k]
+                                       : multipliers[k] - current.multipliers[k] + 2. * merit_penalty * violation;
+    double along                 = 0.;
     for (std::size_t i = 0; i < n; ++i)
       along += system->constraint_gradient(k)[i] * direction[i];
     slope += factor * along;
@@ -290,7 +309,8 @@ double SurfaceProblem::displacement(const std::vector<double> &direction) const
   double largest = 0.;
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
   {
-    const double length = std::sqrt(move[3 * I] * move[3 * I] + move[3 * I + 1] * move[3 * I + 1] + move[3 * I + 2] * move[3 * I + 2]);
+    const double length =
+        std::sqrt(move[3 * I] * move[3 * I] + move[3 * I + 1] * move[3 * I + 1] + move[3 * I + 2] * move[3 * I + 2]);
     if (!(length <= largest)) // keeps nan
       largest = length;
   }

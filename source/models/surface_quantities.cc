@@ -9,15 +9,14 @@ namespace pellicle
 {
 std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
 {
-  const SurfaceState  &state     = problem->state();
-  const NodalVectors  &positions = state.fields[0];
-  const ShapeMeasures  shape     = measure_shape(discretization, positions);
+  const SurfaceState &state      = problem->state();
+  const NodalVectors &positions  = state.fields[0];
+  const ShapeMeasures shape      = measure_shape(discretization, positions);
   const NodalCurvature curvature = nodal_curvature(discretization, positions);
 
   std::vector<std::pair<std::string, double>> list;
-  const auto report = [&](const std::string &name, const double value, const Dimension dimension) {
-    list.emplace_back(name, value * unit.of(dimension));
-  };
+  const auto report = [&](const std::string &name, const double value, const Dimension dimension)
+  { list.emplace_back(name, value * unit.of(dimension)); };
   report("area", shape.area, dimensions::area);
   report("volume", shape.volume, dimensions::volume);
   report("reduced_volume", shape.reduced_volume, dimensions::none);
@@ -33,10 +32,11 @@ std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
   for (std::size_t k = 0; k < set.constraints.size(); ++k)
   {
     const Constraint &constraint = set.constraints[k];
-    const Dimension   dimension{1 - constraint.dimension.energy, -constraint.dimension.length};
+    const Dimension dimension{1 - constraint.dimension.energy, -constraint.dimension.length};
     report(constraint.multiplier, constraint.multiplier_sign * state.multipliers[k], dimension);
   }
-  report("integrated_mean_curvature", integrated_mean_curvature(discretization, positions, curvature.curvature_vector), dimensions::length);
+  report("integrated_mean_curvature", integrated_mean_curvature(discretization, positions, curvature.curvature_vector),
+         dimensions::length);
   report("gauss_bonnet", shape.gauss_bonnet, dimensions::none);
   report("height", shape.height, dimensions::length);
   report("equatorial_radius", shape.equatorial_radius, dimensions::length);
@@ -48,19 +48,22 @@ std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
 
 SurfaceSample SurfaceModel::sample() const
 {
-  const auto scaled_values = [](std::vector<double> values, const double factor) {
+  const auto scaled_values = [](std::vector<double> values, const double factor)
+  {
     for (double &value : values)
       value *= factor;
     return values;
   };
-  const SurfaceState  &state     = problem->state();
+  const SurfaceState &state      = problem->state();
   const NodalCurvature curvature = nodal_curvature(discretization, state.fields[0]);
 
   std::vector<SampledNodalField> fields;
-  fields.push_back({"mean_curvature_outward", 1, scaled_values(curvature.mean_outward, unit.of(dimensions::curvature))});
+  fields.push_back(
+      {"mean_curvature_outward", 1, scaled_values(curvature.mean_outward, unit.of(dimensions::curvature))});
   fields.push_back({"gauss_curvature", 1, scaled_values(curvature.gauss, unit.of(dimensions::gauss_curvature))});
   for (std::size_t f = 1; f < state.fields.size(); ++f)
-    fields.push_back({problem->layout().fields()[f].name, 3, scaled_values(state.fields[f], unit.of(dimensions::line_tension))});
+    fields.push_back(
+        {problem->layout().fields()[f].name, 3, scaled_values(state.fields[f], unit.of(dimensions::line_tension))});
 
   NodalVectors positions = scaled_values(state.fields[0], unit.length);
   for (std::size_t i = 0; i < positions.size(); ++i)

@@ -14,38 +14,52 @@ constexpr double pi = 3.141592653589793238462643;
 
 void MeshParameters::bind(ParameterSection &section)
 {
-  section.integer("Degree", degree, 2, 5, "Polynomial degree k of position and moment. Curvature converges at order k, energies at order 2k.");
-  section.integer("Refinements", refinements, 0, 8,
-                  "Refinements r of the coarsest mesh: a closed surface has 6 * 4^r cells, a meridian 4 * 2^r from pole to pole.");
+  section.integer("Degree", degree, 2, 5,
+                  "Polynomial degree k of position and moment. Curvature converges at order k, energies at order 2k.");
+  section.integer(
+      "Refinements", refinements, 0, 8,
+      "Refinements r of the coarsest mesh: a closed surface has 6 * 4^r cells, a meridian 4 * 2^r from pole to pole.");
   section.choice("Symmetry", symmetry, {"none", "axial", "axial mirror"},
-                 "none: a surface in space. axial: a meridian, revolved about the z axis. axial mirror: its upper half, mirrored at z = 0.");
-  section.word("File", file, "Gmsh MSH 4.1 file with quadrilaterals or triangles, for Vesicle/Start shape = file. Relative to the scene file.");
+                 "none: a surface in space. axial: a meridian, revolved about the z axis. axial mirror: its upper "
+                 "half, mirrored at z = 0.");
+  section.word("File", file,
+               "Gmsh MSH 4.1 file with quadrilaterals or triangles, for Vesicle/Start shape = file. Relative to the "
+               "scene file.");
 }
 
 void VesicleParameters::bind(ParameterSection &section)
 {
-  section.number("Area", area, Range::positive(), dimensions::area, "Area A of the membrane; the start shape is scaled to it. It sets the unit of length.");
+  section.number("Area", area, Range::positive(), dimensions::area,
+                 "Area A of the membrane; the start shape is scaled to it. It sets the unit of length.");
   section.number("Reduced volume", reduced_volume, {0., 1., true, false, false}, dimensions::none,
-                 "Reduced volume v = 3 V/(4 pi (A/4 pi)^1.5) in (0, 1]: makes the start shapes prolate, oblate and stomatocyte, and is the target of the volume constraint.");
+                 "Reduced volume v = 3 V/(4 pi (A/4 pi)^1.5) in (0, 1]: makes the start shapes prolate, oblate and "
+                 "stomatocyte, and is the target of the volume constraint.");
   section.choice("Start shape", start_shape, start_shape_names(),
-                 "Shape at the start, scaled to Area: spheroids and stomatocyte of the given reduced volume, ellipsoid (Semi axes), biconcave, torus (Torus ratio), file (Mesh/File).");
-  section.numbers("Semi axes", semi_axes, Range::positive(), dimensions::none, "Ratio of the three semi axes of the start shape `ellipsoid`.");
-  section.number("Torus ratio", torus_ratio, {1., 1e6, true, false, false}, dimensions::none, "R/r of the start shape `torus`.");
+                 "Shape at the start, scaled to Area: spheroids and stomatocyte of the given reduced volume, ellipsoid "
+                 "(Semi axes), biconcave, torus (Torus ratio), file (Mesh/File).");
+  section.numbers("Semi axes", semi_axes, Range::positive(), dimensions::none,
+                  "Ratio of the three semi axes of the start shape `ellipsoid`.");
+  section.number("Torus ratio", torus_ratio, {1., 1e6, true, false, false}, dimensions::none,
+                 "R/r of the start shape `torus`.");
   section.number("Node noise", node_noise, Range::between(0., 0.5), dimensions::none,
-                 "Random displacement of the nodes of the start shape, uniform in [-f, f] times the node spacing in each component.");
+                 "Random displacement of the nodes of the start shape, uniform in [-f, f] times the node spacing in "
+                 "each component.");
   section.integer("Random seed", random_seed, 0, 2147483647, "Seed of the node noise.");
 }
 
 void OutputParameters::bind(ParameterSection &section)
 {
-  section.flag("Solution", solution, "Write solution_NNNN.vtu (high-order cells with curvatures) after each step, and solution.pvd.");
-  section.flag("Picture", picture, "Draw picture.png of the final surface, coloured by mean curvature, if the renderer is installed.");
+  section.flag("Solution", solution,
+               "Write solution_NNNN.vtu (high-order cells with curvatures) after each step, and solution.pvd.");
+  section.flag("Picture", picture,
+               "Draw picture.png of the final surface, coloured by mean curvature, if the renderer is installed.");
 }
 
 std::vector<ParameterSection> SurfaceScene::sections()
 {
   std::vector<ParameterSection> all;
-  const auto                    add = [&](const std::string &name, auto &parameters) {
+  const auto add = [&](const std::string &name, auto &parameters)
+  {
     all.emplace_back(name);
     parameters.bind(all.back());
   };
@@ -74,31 +88,37 @@ void SurfaceScene::check() const
   for (const auto &effect : effects)
     effect->check();
   if (vesicle.semi_axes.size() != 3)
-    throw UserError("Section Vesicle: 'Semi axes' has " + std::to_string(vesicle.semi_axes.size()) + " numbers, three are needed, for example 1, 1, 1.2.");
+    throw UserError("Section Vesicle: 'Semi axes' has " + std::to_string(vesicle.semi_axes.size()) +
+                    " numbers, three are needed, for example 1, 1, 1.2.");
   if (vesicle.start_shape == "file" && mesh.file.empty())
     throw UserError("Vesicle/Start shape is 'file', but Mesh/File names no file.");
   if (vesicle.start_shape != "file" && !mesh.file.empty())
-    throw UserError("Mesh/File is '" + mesh.file + "', but Vesicle/Start shape is '" + vesicle.start_shape + "': set it to 'file', or remove Mesh/File.");
+    throw UserError("Mesh/File is '" + mesh.file + "', but Vesicle/Start shape is '" + vesicle.start_shape +
+                    "': set it to 'file', or remove Mesh/File.");
   if (has_effect("area constraint") && has_effect("volume constraint") && vesicle.reduced_volume >= 1.)
-    throw UserError("Vesicle/Reduced volume = 1 with both area and volume constraint: only the sphere has it, and there the two constraints are not "
+    throw UserError("Vesicle/Reduced volume = 1 with both area and volume constraint: only the sphere has it, and "
+                    "there the two constraints are not "
                     "independent. Use a value below 1, or drop one of the two constraints.");
   if (load.parameter.empty() && !(load.from.empty() && load.to.empty()))
     throw UserError("Section Load: 'From' or 'To' is set, but 'Parameter' names no parameter.");
   if (!load.parameter.empty() && load.to.empty())
     throw UserError("Section Load: 'Parameter' is '" + load.parameter + "', but 'To' gives no value.");
-  if (load.parameter.rfind("Mesh/", 0) == 0 || load.parameter.rfind("Newton/", 0) == 0 || load.parameter.rfind("Output/", 0) == 0 ||
-      load.parameter.rfind("Load/", 0) == 0 || load.parameter == "Vesicle/Area")
-    throw UserError("Load/Parameter = " + load.parameter + " cannot change during a run: it shapes the mesh, the scale or the run itself.");
+  if (load.parameter.rfind("Mesh/", 0) == 0 || load.parameter.rfind("Newton/", 0) == 0 ||
+      load.parameter.rfind("Output/", 0) == 0 || load.parameter.rfind("Load/", 0) == 0 ||
+      load.parameter == "Vesicle/Area")
+    throw UserError("Load/Parameter = " + load.parameter +
+                    " cannot change during a run: it shapes the mesh, the scale or the run itself.");
   const PotentialSet set = potentials(Scales{});
   if (set.energies.empty())
-    throw UserError("The list Effects holds no energy: nothing determines the shape. List 'helfrich bending' or 'surface tension'.");
+    throw UserError("The list Effects holds no energy: nothing determines the shape. List 'helfrich bending' or "
+                    "'surface tension'.");
 }
 
 Scales SurfaceScene::scales() const
 {
   Scales scales;
-  scales.length          = std::sqrt(vesicle.area / (4. * pi));
-  double largest         = 0.;
+  scales.length  = std::sqrt(vesicle.area / (4. * pi));
+  double largest = 0.;
   for (const auto &effect : effects)
     if (const std::optional<double> energy = effect->typical_energy(scales.length))
       largest = std::max(largest, *energy);
@@ -137,14 +157,16 @@ StartShape SurfaceScene::start_shape() const
 
 PotentialSet SurfaceScene::potentials(const Scales &scales) const
 {
-  const SceneTargets targets{vesicle.area / scales.of(dimensions::area), target_volume() / scales.of(dimensions::volume)};
-  PotentialSet       set;
+  const SceneTargets targets{vesicle.area / scales.of(dimensions::area),
+                             target_volume() / scales.of(dimensions::volume)};
+  PotentialSet set;
   for (const auto &effect : effects)
     effect->contribute(scales, targets, set);
   return set;
 }
 
-SurfaceScene make_surface_scene(const EffectLibrary &library, const std::vector<std::string> &effects, const std::vector<std::string> &analyses)
+SurfaceScene make_surface_scene(const EffectLibrary &library, const std::vector<std::string> &effects,
+                                const std::vector<std::string> &analyses)
 {
   SurfaceScene scene;
   for (const std::string &name : effects)

@@ -7,10 +7,16 @@ namespace pellicle
 {
 void LoadParameters::bind(ParameterSection &section)
 {
-  section.word("Parameter", parameter, "Parameter of the scene that changes in steps, as Section/Name, for example Vesicle/Reduced volume. Empty: one solve.");
-  section.word("From", from, "Its value at the first solve, a number or expression in the parameter's unit. Empty: the scene's own value.");
+  section.word("Parameter", parameter,
+               "Parameter of the scene that changes in steps, as Section/Name, for example Vesicle/Reduced volume. "
+               "Empty: one solve.");
+  section.word(
+      "From", from,
+      "Its value at the first solve, a number or expression in the parameter's unit. Empty: the scene's own value.");
   section.word("To", to, "Its value at the last solve.");
-  section.integer("Steps", steps, 1, 100000, "Number of equal steps to begin with. A step that fails is halved; after a success the next one may grow.");
+  section.integer(
+      "Steps", steps, 1, 100000,
+      "Number of equal steps to begin with. A step that fails is halved; after a success the next one may grow.");
   section.number("Smallest step", smallest_step, Range::between(1e-12, 1.), dimensions::none,
                  "Smallest step, as a fraction of the whole way, before the run gives up.");
 }
@@ -20,7 +26,7 @@ double walk_load(const LoadParameters &parameters, const std::function<bool(doub
   if (!attempt(0.))
     return -1.;
   const double first = 1. / parameters.steps;
-  double       step = first, t = 0.;
+  double step = first, t = 0.;
   while (t < 1.)
   {
     // The last step ends at 1 exactly, and no sliver is left behind.

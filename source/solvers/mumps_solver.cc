@@ -33,8 +33,8 @@ public:
     icntl(13) = 1; // the root is factorised by one process, so that its negative pivots are counted, too
     icntl(24) = 1; // null pivots are found, not divided by
     MPI_Comm_size(MPI_COMM_WORLD, &n_processes);
-    // Several processes: each passes entries of its own, also at the analysis, and entries at the same place are added. One process passes them
-    // all at once, which saves a redistribution as long as a quarter of a factorisation.
+    // Several processes: each passes entries of its own, also at the analysis, and entries at the same place are added.
+    // One process passes them all at once, which saves a redistribution as long as a quarter of a factorisation.
     icntl(18) = n_processes > 1 ? 3 : 0;
     icntl(28) = 1; // sequential analysis
   }
@@ -73,7 +73,7 @@ public:
   void set_values(const double *values) { (n_processes > 1 ? data.a_loc : data.a) = const_cast<double *>(values); }
 
   DMUMPS_STRUC_C data{};
-  int            n_processes = 1;
+  int n_processes = 1;
 };
 
 /** The error in words; MUMPS puts more detail, such as a size, in INFOG(2). */
@@ -186,11 +186,11 @@ private:
         rows[k]    = i + 1;
         columns[k] = matrix.columns[k] + 1;
       }
-    symmetry               = matrix.symmetry;
-    auto instance          = std::make_unique<MumpsInstance>(symmetry);
-    instance->data.n       = matrix.size;
+    symmetry         = matrix.symmetry;
+    auto instance    = std::make_unique<MumpsInstance>(symmetry);
+    instance->data.n = matrix.size;
     instance->set_pattern(rows, columns);
-    instance->cntl(3)      = null_pivot_threshold(matrix.size);
+    instance->cntl(3) = null_pivot_threshold(matrix.size);
     if (instance->call(MumpsInstance::analyse) < 0)
       fail(*instance, "analysis");
     mumps = std::move(instance);

@@ -17,8 +17,8 @@ namespace
 using namespace pellicle;
 using namespace pellicle::test;
 
-// Energy, gradient and matrix of a cell: plain sums over points, slots, nodes, with automatic derivatives, against the contraction with the
-// hand-written ones.
+// Energy, gradient and matrix of a cell: plain sums over points, slots, nodes, with automatic derivatives, against the
+// contraction with the hand-written ones.
 TEST(Contraction, EqualsAPlainLoop)
 {
   for (const auto &[name, surface] : small_surfaces())
@@ -34,41 +34,46 @@ TEST(Contraction, EqualsAPlainLoop)
     const std::size_t n_rows                = 6 * surface.n_local();
 
     std::vector<double> inputs;
-    lagrangian.assembler.loop(set, fields, {}, Order::hessian, [&](const std::size_t cell, const Element &element, const auto &) {
-      ASSERT_EQ(element.n_rows, n_rows);
-      gather_inputs(surface, lagrangian.layout, fields, cell, inputs);
-      std::vector<double> gradient(n_rows, 0.), matrix(n_rows * n_rows, 0.);
-      for (unsigned int q = 0; q < tables.n_points; ++q)
-      {
-        std::vector<double> g(n, 0.), h(n * n, 0.);
-        bending.add_automatic(&inputs[q * n], offsets.data(), PointData{q}, 1., Order::hessian, n, g.data(), h.data());
-        // d input_i / d (value of row): only within the same field.
-        std::vector<double> d(n * n_rows, 0.);
-        for (unsigned int f = 0; f < 2; ++f)
-          for (unsigned int s = 0; s < 3; ++s)
-            for (unsigned int b = 0; b < 3; ++b)
-              for (unsigned int c = 0; c < 3; ++c)
-                for (std::size_t I = 0; I < surface.n_local(); ++I)
-                  d[(offsets[f] + 3 * s + b) * n_rows + (3 * f + c) * surface.n_local() + I] =
-                      tables.map[s][3 * b + c] * tables.tables[s][q * surface.n_local() + I];
-        for (std::size_t row = 0; row < n_rows; ++row)
-          for (unsigned int i = 0; i < n; ++i)
+    lagrangian.assembler.loop(
+        set, fields, {}, Order::hessian,
+        [&](const std::size_t cell, const Element &element, const auto &)
+        {
+          ASSERT_EQ(element.n_rows, n_rows);
+          gather_inputs(surface, lagrangian.layout, fields, cell, inputs);
+          std::vector<double> gradient(n_rows, 0.), matrix(n_rows * n_rows, 0.);
+          for (unsigned int q = 0; q < tables.n_points; ++q)
           {
-            gradient[row] += tables.weights[q] * g[i] * d[i * n_rows + row];
-            if (d[i * n_rows + row] != 0.)
-              for (unsigned int j = 0; j < n; ++j)
-                for (std::size_t column = 0; column < n_rows; ++column)
-                  matrix[row * n_rows + column] += tables.weights[q] * h[i * n + j] * d[i * n_rows + row] * d[j * n_rows + column];
+            std::vector<double> g(n, 0.), h(n * n, 0.);
+            bending.add_automatic(&inputs[q * n], offsets.data(), PointData{q}, 1., Order::hessian, n, g.data(),
+                                  h.data());
+            // d input_i / d (value of row): only within the same field.
+            std::vector<double> d(n * n_rows, 0.);
+            for (unsigned int f = 0; f < 2; ++f)
+              for (unsigned int s = 0; s < 3; ++s)
+                for (unsigned int b = 0; b < 3; ++b)
+                  for (unsigned int c = 0; c < 3; ++c)
+                    for (std::size_t I = 0; I < surface.n_local(); ++I)
+                      d[(offsets[f] + 3 * s + b) * n_rows + (3 * f + c) * surface.n_local() + I] =
+                          tables.map[s][3 * b + c] * tables.tables[s][q * surface.n_local() + I];
+            for (std::size_t row = 0; row < n_rows; ++row)
+              for (unsigned int i = 0; i < n; ++i)
+              {
+                gradient[row] += tables.weights[q] * g[i] * d[i * n_rows + row];
+                if (d[i * n_rows + row] != 0.)
+                  for (unsigned int j = 0; j < n; ++j)
+                    for (std::size_t column = 0; column < n_rows; ++column)
+                      matrix[row * n_rows + column] +=
+                          tables.weights[q] * h[i * n + j] * d[i * n_rows + row] * d[j * n_rows + column];
+              }
           }
-      }
-      for (std::size_t k = 0; k < n_rows; ++k)
-        EXPECT_NEAR(element.gradient[k], gradient[k], 1e-11) << name;
-      for (std::size_t k = 0; k < n_rows * n_rows; ++k)
-      {
-        EXPECT_NEAR(element.matrix[k], matrix[k], 1e-11) << name;
-        EXPECT_EQ(element.matrix[k], element.matrix[k % n_rows * n_rows + k / n_rows]) << name;
-      }
-    });
+          for (std::size_t k = 0; k < n_rows; ++k)
+            EXPECT_NEAR(element.gradient[k], gradient[k], 1e-11) << name;
+          for (std::size_t k = 0; k < n_rows * n_rows; ++k)
+          {
+            EXPECT_NEAR(element.matrix[k], matrix[k], 1e-11) << name;
+            EXPECT_EQ(element.matrix[k], element.matrix[k % n_rows * n_rows + k / n_rows]) << name;
+          }
+        });
   }
 }
 
@@ -79,7 +84,8 @@ TEST(Assembler, WhatIsNotListedCostsNothing)
   Timing timing;
   const auto problem_with = [&](const std::vector<std::string> &effects)
   {
-    return SurfaceProblem(surface, make_surface_scene(standard_effects(), effects, {}).potentials(Scales{}), communicator, "mumps", timing);
+    return SurfaceProblem(surface, make_surface_scene(standard_effects(), effects, {}).potentials(Scales{}),
+                          communicator, "mumps", timing);
   };
 
   SurfaceProblem drop = problem_with({"surface tension", "volume constraint"});
@@ -108,7 +114,8 @@ TEST(Assembler, NoUnknownsOfWhatIsNotListed)
 {
   Communicator communicator;
   Timing timing;
-  const auto names = [&](const std::vector<std::string> &effects) {
+  const auto names = [&](const std::vector<std::string> &effects)
+  {
     SurfaceScene scene     = make_surface_scene(standard_effects(), effects, {});
     scene.mesh.degree      = 2;
     scene.mesh.refinements = 0;
@@ -130,10 +137,11 @@ TEST(Assembler, NoUnknownsOfWhatIsNotListed)
 
 TEST(NodalChart, NormalsAndAreasOfASphere)
 {
-  const SmoothShape sphere = ellipsoid({{2., 2., 2.}});
-  const std::vector<std::pair<SurfaceDiscretization, double>> surfaces = {{on_cube_sphere(sphere, 3, 2), 16. * 3.141592653589793},
-                                                        {on_meridian(sphere, 3, 3, false), 16. * 3.141592653589793},
-                                                        {on_meridian(sphere, 3, 2, true), 16. * 3.141592653589793}};
+  const SmoothShape sphere                                             = ellipsoid({{2., 2., 2.}});
+  const std::vector<std::pair<SurfaceDiscretization, double>> surfaces = {
+      {on_cube_sphere(sphere, 3, 2), 16. * 3.141592653589793},
+      {on_meridian(sphere, 3, 3, false), 16. * 3.141592653589793},
+      {on_meridian(sphere, 3, 2, true), 16. * 3.141592653589793}};
   for (const auto &[surface, area] : surfaces)
   {
     const NodalVectors normals      = nodal_normals(surface, surface.positions);
@@ -154,7 +162,8 @@ TEST(NodalChart, PolesAndMirrorPlane)
 {
   const SmoothShape shape = ellipsoid({{0.7, 0.7, 1.4}});
   const auto whole = on_meridian(shape, 3, 2, false), half = on_meridian(shape, 3, 2, true);
-  const auto normal = [](const SurfaceDiscretization &surface, const bool last) {
+  const auto normal = [](const SurfaceDiscretization &surface, const bool last)
+  {
     const NodalVectors normals = nodal_normals(surface, surface.positions);
     double extreme             = last ? 1e9 : -1e9;
     std::size_t node           = 0;
@@ -198,34 +207,45 @@ void check_bordered_system(const SurfaceDiscretization &surface, const bool ale,
 
   const NodalVectors normals = nodal_normals(surface, fields[0]);
   BorderedSystem system(
-      surface, Numbering({ale ? ale_chart(surface, normals) : graph_chart(surface, normals), free_chart(surface)}, 2, 1),
+      surface,
+      Numbering({ale ? ale_chart(surface, normals) : graph_chart(surface, normals), free_chart(surface)}, 2, 1),
       physics.communicator);
   const Numbering &numbering = system.numbering();
   const std::size_t n = numbering.n_nodal, m = 3 * surface.n_nodes;
   EXPECT_EQ(numbering.size(), n + 3);
 
   // Step 1: dense matrices in R^3, field after field
-  Dense K(2 * m, std::vector<double>(2 * m, 0.)), K_mesh = K, gradient(5, std::vector<double>(2 * m, 0.)); // r, mesh r, g0, g1, rigid
+  Dense K(2 * m, std::vector<double>(2 * m, 0.)),
+      K_mesh = K, gradient(5, std::vector<double>(2 * m, 0.)); // r, mesh r, g0, g1, rigid
   system.begin();
   TermValues mesh_values{{0.}, {}};
   Element mesh_element;
   std::vector<std::vector<double>> none;
-  physics.assembler.loop(physics.set, fields, physics.multipliers, Order::hessian, [&](const std::size_t cell, const Element &element, const auto &g) {
-    mesh.assembler.evaluate(mesh_set, {fields[0]}, {}, Order::hessian, cell, mesh_values, mesh_element, none);
-    system.add_cell(cell, element, g, ale ? &mesh_element : nullptr);
-    physics.for_rows(cell, [&](const std::size_t f, const std::size_t i, const std::size_t row) {
-      gradient[0][f * m + i] += element.gradient[row];
-      for (int k = 0; k < 2; ++k)
-        gradient[2 + k][f * m + i] += g[k][row];
-      physics.for_rows(cell, [&](const std::size_t e, const std::size_t j, const std::size_t column)
-                       { K[f * m + i][e * m + j] += element.matrix[row * element.n_rows + column]; });
-    });
-    mesh.for_rows(cell, [&](const std::size_t, const std::size_t i, const std::size_t row) {
-      gradient[1][i] += mesh_element.gradient[row];
-      mesh.for_rows(cell, [&](const std::size_t, const std::size_t j, const std::size_t column)
-                    { K_mesh[i][j] += mesh_element.matrix[row * mesh_element.n_rows + column]; });
-    });
-  });
+  physics.assembler.loop(
+      physics.set, fields, physics.multipliers, Order::hessian,
+      [&](const std::size_t cell, const Element &element, const auto &g)
+      {
+        mesh.assembler.evaluate(mesh_set, {fields[0]}, {}, Order::hessian, cell, mesh_values, mesh_element, none);
+        system.add_cell(cell, element, g, ale ? &mesh_element : nullptr);
+        physics.for_rows(cell,
+                         [&](const std::size_t f, const std::size_t i, const std::size_t row)
+                         {
+                           gradient[0][f * m + i] += element.gradient[row];
+                           for (int k = 0; k < 2; ++k)
+                             gradient[2 + k][f * m + i] += g[k][row];
+                           physics.for_rows(cell,
+                                            [&](const std::size_t e, const std::size_t j, const std::size_t column) {
+                                              K[f * m + i][e * m + j] += element.matrix[row * element.n_rows + column];
+                                            });
+                         });
+        mesh.for_rows(cell,
+                      [&](const std::size_t, const std::size_t i, const std::size_t row)
+                      {
+                        gradient[1][i] += mesh_element.gradient[row];
+                        mesh.for_rows(cell, [&](const std::size_t, const std::size_t j, const std::size_t column)
+                                      { K_mesh[i][j] += mesh_element.matrix[row * mesh_element.n_rows + column]; });
+                      });
+      });
   const NodalVectors rigid = random_vectors(surface, 1., 77);
   std::copy(rigid.begin(), rigid.end(), gradient[4].begin());
   system.set_constraint(0, 0., 0.25);
@@ -245,7 +265,8 @@ void check_bordered_system(const SurfaceDiscretization &surface, const bool ale,
         for (unsigned int c = 0; c < 3; ++c)
           Z[f * m + 3 * I + c][unknown] = numbering.charts[f].nodes[I].columns[3 * a + c];
       }
-  const auto restricted = [&](const std::vector<double> &v, const std::size_t unknown) {
+  const auto restricted = [&](const std::vector<double> &v, const std::size_t unknown)
+  {
     double result = 0.;
     for (std::size_t i = 0; i < 2 * m; ++i)
       result += Z[i][unknown] * v[i];
@@ -274,7 +295,9 @@ void check_bordered_system(const SurfaceDiscretization &surface, const bool ale,
     }
     EXPECT_NEAR(matrix[n + 2][b], restricted(gradient[4], b), 1e-12) << what;
     EXPECT_NEAR(matrix[b][n + 2], restricted(gradient[4], b), 1e-12) << what;
-    EXPECT_NEAR(system.residual()[b], restricted(gradient[is_mesh[b] ? 1 : 0], b) + 0.75 * restricted(gradient[4], b), 1e-11) << what;
+    EXPECT_NEAR(system.residual()[b], restricted(gradient[is_mesh[b] ? 1 : 0], b) + 0.75 * restricted(gradient[4], b),
+                1e-11)
+        << what;
   }
   EXPECT_EQ(matrix[n][n], 0.);
   EXPECT_EQ(matrix[n + 1][n + 1], -0.125);

@@ -7,6 +7,7 @@
 #include <pellicle/models/surface_scene.h>
 #include <pellicle/potentials/constraints/enclosed_volume.h>
 #include <pellicle/potentials/constraints/total_area.h>
+#include <pellicle/potentials/density_potential.h>
 #include <pellicle/potentials/energies/helfrich_bending.h>
 #include <pellicle/potentials/energies/pressure.h>
 #include <pellicle/potentials/energies/surface_tension.h>
@@ -36,7 +37,8 @@ inline PotentialSet all_terms()
   set.energies.push_back(std::make_shared<DensityPotential<Pressure>>("pressure", Pressure{-0.6}));
   set.constraints.resize(2);
   set.constraints[0].measure = std::make_shared<DensityPotential<TotalArea>>("area constraint", TotalArea{});
-  set.constraints[1].measure = std::make_shared<DensityPotential<EnclosedVolume>>("volume constraint", EnclosedVolume{});
+  set.constraints[1].measure =
+      std::make_shared<DensityPotential<EnclosedVolume>>("volume constraint", EnclosedVolume{});
   return set;
 }
 
@@ -126,21 +128,29 @@ public:
   FieldValues gradient(const FieldValues &fields)
   {
     FieldValues result(fields.size(), NodalVectors(3 * surface.n_nodes, 0.));
-    assembler.loop(set, fields, multipliers, Order::gradient, [&](const std::size_t cell, const Element &element, const auto &)
-                   { for_rows(cell, [&](const std::size_t f, const std::size_t i, const std::size_t row)
-                              { result[f][i] += element.gradient[row]; }); });
+    assembler.loop(set, fields, multipliers, Order::gradient,
+                   [&](const std::size_t cell, const Element &element, const auto &)
+                   {
+                     for_rows(cell, [&](const std::size_t f, const std::size_t i, const std::size_t row)
+                              { result[f][i] += element.gradient[row]; });
+                   });
     return result;
   }
   /** Matrix times a direction. */
   FieldValues matrix_times(const FieldValues &fields, const FieldValues &direction)
   {
     FieldValues result(fields.size(), NodalVectors(3 * surface.n_nodes, 0.));
-    assembler.loop(set, fields, multipliers, Order::hessian, [&](const std::size_t cell, const Element &element, const auto &) {
-      for_rows(cell, [&](const std::size_t f, const std::size_t i, const std::size_t row) {
-        for_rows(cell, [&](const std::size_t g, const std::size_t j, const std::size_t column)
-                 { result[f][i] += element.matrix[row * element.n_rows + column] * direction[g][j]; });
-      });
-    });
+    assembler.loop(
+        set, fields, multipliers, Order::hessian,
+        [&](const std::size_t cell, const Element &element, const auto &)
+        {
+          for_rows(cell,
+                   [&](const std::size_t f, const std::size_t i, const std::size_t row)
+                   {
+                     for_rows(cell, [&](const std::size_t g, const std::size_t j, const std::size_t column)
+                              { result[f][i] += element.matrix[row * element.n_rows + column] * direction[g][j]; });
+                   });
+        });
     return result;
   }
 

@@ -107,7 +107,8 @@ TEST(Scene, UnknownSection)
   expect_read_refusal("\nsubsection Vesicel\nset Area = 1\nend\n",
                       {"a.prm:2: ", "no section 'Vesicel'", "Did you mean 'Vesicle'?"});
   expect_read_refusal("subsection Vesicel\nend\n", {"a.prm:1: ", "no section 'Vesicel'"});
-  expect_read_refusal("subsection Mesh\nsubsection Qualty\nend\nend\n", {"a.prm:2: ", "Did you mean 'Mesh/Quality' or"});
+  expect_read_refusal("subsection Mesh\nsubsection Qualty\nend\nend\n",
+                      {"a.prm:2: ", "Did you mean 'Mesh/Quality' or"});
   expect_refusal([] { read(scene_of("", {"Vesicel/Area=1"})); },
                  {"--set \"Vesicel/Area=1\": ", "no section 'Vesicel'"});
 }

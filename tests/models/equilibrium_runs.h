@@ -12,6 +12,7 @@
 
 #include "../mpi_environment.h"
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -81,10 +82,10 @@ public:
   double seconds;
 };
 
-/** The moment is the error's square at the end: from the first residual below `small` on, each is at most
+/** Quadratic convergence: from the first residual below `small` on, each is at most
  * factor * (the one before)^2, or at round-off. Needs at least one such pair. */
-inline void expect_quadratic_tail(const std::vector<IterationReport> &iterations, const double small, const double factor,
-                                  const double round_off)
+inline void expect_quadratic_tail(const std::vector<IterationReport> &iterations, const double small,
+                                  const double factor, const double round_off)
 {
   int n_pairs = 0;
   for (std::size_t i = 1; i < iterations.size(); ++i)

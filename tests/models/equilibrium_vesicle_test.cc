@@ -13,8 +13,9 @@ namespace
 using namespace pellicle;
 using namespace pellicle::test;
 
-// E/(8 pi kappa) of axisymmetric solutions by an independent code, converged to the digits given.
-constexpr double prolate_95 = 1.0955648795, prolate_65 = 1.8279298731, discocyte_65 = 1.8262334456, stomatocyte_62 = 1.97388824;
+// E/(8 pi kappa) of the axisymmetric solutions, converged to the digits given.
+constexpr double prolate_95 = 1.0955648795, prolate_65 = 1.8279298731, discocyte_65 = 1.8262334456,
+                 stomatocyte_62 = 1.97388824;
 
 double relative(const double value, const double exact)
 {
@@ -35,32 +36,30 @@ TEST(EquilibriumVesicle, ProlateNearTheSphere)
   EXPECT_NEAR(relative(prolate.energy(), prolate_95), 0., 2e-6) << prolate.energy();
   EXPECT_LE(prolate.result.iterations, 7);
   EXPECT_EQ(prolate.record.iterations.size(), static_cast<std::size_t>(prolate.result.iterations));
-  for (const IterationReport &report : prolate.record.iterations)
-    std::printf("it %d rel %.3e step %.3e rejected %d\n", report.iteration, report.relative_residual, report.step_length, report.rejected);
   expect_quadratic_tail(prolate.record.iterations, 1e-3, 100., 1e-10);
   EXPECT_NEAR(prolate.sigma(), -5.364000, 1e-4);
   EXPECT_NEAR(prolate.pressure(), -11.292632, 1e-4);
   const ShapeMeasures shape = prolate.shape();
   EXPECT_NEAR(2. * prolate.sigma() * shape.area, 3. * prolate.pressure() * shape.volume, 1e-4);
-  std::printf("E %.10f rel %.2e its %d sigma %.7f P %.7f virial %.2e\n", prolate.energy(), relative(prolate.energy(), prolate_95), prolate.result.iterations, prolate.sigma(), prolate.pressure(),
-    2. * prolate.sigma() * shape.area- 3. * prolate.pressure() * shape.volume);
   expect_targets_met(prolate, 0.95);
   EXPECT_EQ(prolate.model.negative_eigenvalues(), 0);
 }
 
-TEST(EquilibriumVesicle, ObolateNearTheSphereIsASaddle)
+// Two directions lead down from the oblate, bending it towards a prolate lying flat; a meridian cannot show them.
+TEST(EquilibriumVesicle, OblateNearTheSphereIsASaddle)
 {
-  SurfaceScene scene = vesicle("oblate", 0.95, 3, 2);
-  scene.newton.chart = "graph";
-  Solved oblate(scene);
-  std::printf("oblate .95 graph conv %d its %d E %.10f neg %d %s\n", oblate.result.converged, oblate.result.iterations, oblate.energy(), oblate.model.negative_eigenvalues().value_or(-99), oblate.result.failure.c_str());
-  for (const char* chart : {"ale", "automatic"})
-  for (const char* sym : {"none", "axial"}) for (double d : {0., 100.}) {
-    SurfaceScene sc = vesicle("oblate", 0.95, 3, 2, sym);
-    sc.newton.chart = chart; sc.newton.initial_drag = d;
-    Solved o(sc);
-    std::printf("oblate .95 %s %s drag %g conv %d its %d E %.10f neg %d\n", chart, sym, d, o.result.converged, o.result.iterations, o.energy(), o.model.negative_eigenvalues().value_or(-99));
+  for (const std::string chart : {"graph", "ale"})
+  {
+    SurfaceScene scene = vesicle("oblate", 0.95, 3, 2);
+    scene.newton.chart = chart;
+    Solved oblate(scene);
+    ASSERT_TRUE(oblate.result.converged) << chart << ": " << oblate.result.failure;
+    EXPECT_GT(oblate.energy(), prolate_95 + 0.01) << chart;
+    EXPECT_EQ(oblate.model.negative_eigenvalues(), 2) << chart;
   }
+  Solved axial(vesicle("oblate", 0.95, 3, 2, "axial"));
+  ASSERT_TRUE(axial.result.converged);
+  EXPECT_EQ(axial.model.negative_eigenvalues(), 0);
 }
 
 TEST(EquilibriumVesicle, ProlateAndDiscocyte)
@@ -71,8 +70,6 @@ TEST(EquilibriumVesicle, ProlateAndDiscocyte)
     ASSERT_TRUE(prolate.result.converged) << prolate.result.failure;
     ASSERT_TRUE(disc.result.converged) << disc.result.failure;
     const double gate = degree == 3 ? 3e-5 : 1e-6;
-    std::printf("k %d prolate %.2e its %d %.2f s disc %.2e its %d %.2f s\n", degree, relative(prolate.energy(), prolate_65), prolate.result.iterations, prolate.seconds, relative(disc.energy(), discocyte_65), disc.result.iterations, disc.seconds);
-    for (auto *s : {&prolate, &disc}) for (auto &w : s->result.warnings) puts(w.c_str());
     EXPECT_NEAR(relative(prolate.energy(), prolate_65), 0., gate);
     EXPECT_NEAR(relative(disc.energy(), discocyte_65), 0., gate);
     if (degree == 4)
@@ -86,12 +83,11 @@ TEST(EquilibriumVesicle, ProlateAndDiscocyte)
 
 TEST(EquilibriumVesicle, Axial)
 {
-  const auto check = [&](const std::string &start, const double v, const double exact, const double in_space_tolerance) {
+  const auto check = [&](const std::string &start, const double v, const double exact, const double in_space_tolerance)
+  {
     const Solved whole(vesicle(start, v, 5, 4, "axial")), half(vesicle(start, v, 5, 4, "axial mirror"));
     ASSERT_TRUE(whole.result.converged) << whole.result.failure;
     ASSERT_TRUE(half.result.converged) << half.result.failure;
-    std::printf("axial %s %g: E %.12f rel %.2e its %d %.3f s; mirror diff %.2e its %d %.3f s; sigma diff %.2e P diff %.2e\n", start.c_str(), v, whole.energy(), relative(whole.energy(), exact), whole.result.iterations, whole.seconds,
-      half.energy() - whole.energy(), half.result.iterations, half.seconds, half.sigma()-whole.sigma(), half.pressure()-whole.pressure());
     EXPECT_NEAR(relative(whole.energy(), exact), 0., 1e-10);
     EXPECT_NEAR(half.energy(), whole.energy(), 1e-9);
     EXPECT_NEAR(half.sigma(), whole.sigma(), 1e-6);
@@ -102,7 +98,6 @@ TEST(EquilibriumVesicle, Axial)
     const Solved in_space(vesicle(start, v, 4, 2));
     ASSERT_TRUE(in_space.result.converged);
     EXPECT_NEAR(relative(in_space.energy(), whole.energy()), 0., in_space_tolerance);
-    std::printf("  3-D Q4 rel %.2e sigma %.2e P %.2e height %.2e\n", relative(in_space.energy(), whole.energy()), in_space.sigma()-whole.sigma(), in_space.pressure()-whole.pressure(), in_space.shape().height-whole.shape().height);
     EXPECT_NEAR(in_space.sigma(), whole.sigma(), 1e3 * in_space_tolerance);
     EXPECT_NEAR(in_space.shape().height, whole.shape().height, 1e3 * in_space_tolerance);
   };
@@ -114,29 +109,23 @@ TEST(EquilibriumVesicle, Axial)
 TEST(EquilibriumVesicle, StomatocyteAxial)
 {
   SurfaceScene scene = vesicle("stomatocyte", 0.62, 4, 4, "axial");
-  if (getenv("SOS")) scene.newton.mesh_reference = "start of step";
-  if (getenv("CH")) scene.newton.chart = getenv("CH");
   const Solved solved(scene);
   ASSERT_TRUE(solved.result.converged) << solved.result.failure;
-  std::printf("axial stomatocyte rel %.2e its %d\n", relative(solved.energy(), stomatocyte_62), solved.result.iterations);
   EXPECT_NEAR(relative(solved.energy(), stomatocyte_62), 0., 1e-6);
   const NodalCurvature curvature = nodal_curvature(solved.model.mesh(), solved.positions());
-  const double mean = integrated_mean_curvature(solved.model.mesh(), solved.positions(), curvature.curvature_vector) / (4. * pi);
-  std::printf("  M/4pi %.5f\n", mean);
+  const double mean =
+      integrated_mean_curvature(solved.model.mesh(), solved.positions(), curvature.curvature_vector) / (4. * pi);
+  EXPECT_NEAR(mean, 0.5314, 1e-3);
 }
 
 TEST(EquilibriumVesicle, Stomatocyte)
 {
   SurfaceScene scene = vesicle("stomatocyte", 0.62, 3, 3);
-  if (getenv("K")) scene.mesh.degree = atoi(getenv("K"));
-  if (getenv("SOS")) scene.newton.mesh_reference = "start of step";
-  if (getenv("CH")) scene.newton.chart = getenv("CH");
   const Solved solved(scene);
   ASSERT_TRUE(solved.result.converged) << solved.result.failure;
   const NodalCurvature curvature = nodal_curvature(solved.model.mesh(), solved.positions());
-  const double mean = integrated_mean_curvature(solved.model.mesh(), solved.positions(), curvature.curvature_vector) / (4. * pi);
-  std::printf("stomatocyte E %.8f rel %.2e its %d rej %d %.2f s M/4pi %.5f\n", solved.energy(), relative(solved.energy(), stomatocyte_62), solved.result.iterations, solved.result.rejected, solved.seconds, mean);
-  for (auto &w : solved.result.warnings) puts(w.c_str());
+  const double mean =
+      integrated_mean_curvature(solved.model.mesh(), solved.positions(), curvature.curvature_vector) / (4. * pi);
   EXPECT_NEAR(relative(solved.energy(), stomatocyte_62), 0., 2e-3);
   EXPECT_NEAR(mean, 0.5314, 0.02);
   expect_targets_met(solved, 0.62);
@@ -155,9 +144,8 @@ TEST(EquilibriumVesicle, NodeNoise)
       scene.vesicle.node_noise  = 0.05;
       scene.vesicle.random_seed = seed;
       const Solved solved(scene);
-      std::printf("noise k %d seed %d conv %d its %d rej %d rel %.2e %s\n", mesh.degree, seed, solved.result.converged, solved.result.iterations, solved.result.rejected, relative(solved.energy(), prolate_95), solved.result.failure.c_str());
-      for (auto &w : solved.result.warnings) puts(w.c_str());
-      ASSERT_TRUE(solved.result.converged) << "degree " << mesh.degree << ", seed " << seed << ": " << solved.result.failure;
+      ASSERT_TRUE(solved.result.converged)
+          << "degree " << mesh.degree << ", seed " << seed << ": " << solved.result.failure;
       EXPECT_LE(solved.result.iterations, 15) << "degree " << mesh.degree << ", seed " << seed;
       EXPECT_NEAR(solved.energy(), 1.09556, 1e-3) << "degree " << mesh.degree << ", seed " << seed;
     }
@@ -166,8 +154,8 @@ TEST(EquilibriumVesicle, NodeNoise)
 TEST(EquilibriumVesicle, UnitsDoNotMatter)
 {
   const Solved ours(vesicle("prolate", 0.8, 3, 1));
-  SurfaceScene scene = vesicle("prolate", 0.8, 3, 1);
-  scene.vesicle.area = 4. * pi * 1e-18;
+  SurfaceScene scene                                               = vesicle("prolate", 0.8, 3, 1);
+  scene.vesicle.area                                               = 4. * pi * 1e-18;
   effect<HelfrichBendingEffect>(scene).parameters.bending_rigidity = 8.2e-20;
   const Solved si(scene);
   ASSERT_TRUE(ours.result.converged);

@@ -19,14 +19,14 @@ template <typename Density>
 void compare(const Density &density)
 {
   const DensityPotential<Density> potential("test", density);
-  std::vector<unsigned int>       offsets;
-  unsigned int                    n = 0;
+  std::vector<unsigned int> offsets;
+  unsigned int n = 0;
   for (const FieldUse &use : potential.fields())
   {
     offsets.push_back(n);
     n += 3 * n_slots(use.derivatives);
   }
-  std::mt19937                           random(3);
+  std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1., 1.);
   for (int trial = 0; trial < 5; ++trial)
   {
@@ -38,9 +38,9 @@ void compare(const Density &density)
     automatic.reset(1, n, Order::hessian);
     const double factor = -1.7;
     potential.add({0, 1, n, inputs.data()}, offsets.data(), factor, Order::hessian, hand);
-    automatic.value[0] = potential.add_automatic(inputs.data(), offsets.data(), {0}, factor, Order::hessian, n, automatic.gradient.data(),
-                                                 automatic.hessian.data());
-    double largest = 0.;
+    automatic.value[0] = potential.add_automatic(inputs.data(), offsets.data(), {0}, factor, Order::hessian, n,
+                                                 automatic.gradient.data(), automatic.hessian.data());
+    double largest     = 0.;
     for (const double h : automatic.hessian)
       largest = std::max(largest, std::abs(h));
     EXPECT_NEAR(hand.value[0], automatic.value[0], 1e-12 * largest);
@@ -51,9 +51,24 @@ void compare(const Density &density)
   }
 }
 
-TEST(AutomaticDerivatives, HelfrichBending) { compare(HelfrichBending{1.3, 0.8}); }
-TEST(AutomaticDerivatives, SurfaceTension) { compare(SurfaceTension{0.6}); }
-TEST(AutomaticDerivatives, Pressure) { compare(Pressure{2.1}); }
-TEST(AutomaticDerivatives, TotalArea) { compare(TotalArea{}); }
-TEST(AutomaticDerivatives, EnclosedVolume) { compare(EnclosedVolume{}); }
+TEST(AutomaticDerivatives, HelfrichBending)
+{
+  compare(HelfrichBending{1.3, 0.8});
+}
+TEST(AutomaticDerivatives, SurfaceTension)
+{
+  compare(SurfaceTension{0.6});
+}
+TEST(AutomaticDerivatives, Pressure)
+{
+  compare(Pressure{2.1});
+}
+TEST(AutomaticDerivatives, TotalArea)
+{
+  compare(TotalArea{});
+}
+TEST(AutomaticDerivatives, EnclosedVolume)
+{
+  compare(EnclosedVolume{});
+}
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Tests that run over every listed effect by its being listed: derivatives to second order, symmetry, rigid motions, reparametrisation.
+// Tests that run over every listed effect by its being listed: derivatives to second order, symmetry, rigid motions,
+// reparametrisation.
 #include <pellicle/potentials/energies/mesh_distortion.h>
 #include <pellicle/potentials/potential_library.h>
 
@@ -18,19 +19,19 @@ using namespace pellicle;
 
 struct ListedPotential
 {
-  std::string                      name;
+  std::string name;
   std::shared_ptr<const Potential> potential;
 };
 
 // Every energy and constraint of every effect, with parameters away from special values, and the mesh energy.
 std::vector<ListedPotential> listed_potentials()
 {
-  const EffectLibrary          library = standard_effects();
+  const EffectLibrary library = standard_effects();
   std::vector<ListedPotential> all;
   for (const std::string &name : library.names())
   {
     const std::unique_ptr<Effect> effect = library.create(name);
-    ParameterSection              section(section_name(name));
+    ParameterSection section(section_name(name));
     effect->bind(section);
     double value = 0.7;
     for (const ParameterSection::Entry &entry : section.entries())
@@ -52,8 +53,8 @@ std::vector<ListedPotential> listed_potentials()
 struct Point
 {
   std::vector<unsigned int> offsets;
-  unsigned int              n_inputs = 0;
-  std::vector<double>       inputs;
+  unsigned int n_inputs = 0;
+  std::vector<double> inputs;
 
   Point(const Potential &potential, std::mt19937 &random)
   {
@@ -73,7 +74,8 @@ struct Point
   }
 };
 
-PointSums derivatives(const Potential &potential, const Point &point, const std::vector<double> &inputs, const Order order)
+PointSums derivatives(const Potential &potential, const Point &point, const std::vector<double> &inputs,
+                      const Order order)
 {
   PointSums sums;
   sums.reset(1, point.n_inputs, order);
@@ -86,23 +88,24 @@ TEST(PotentialLibrary, DerivativesAgreeWithCentralDifferencesToSecondOrder)
   std::mt19937 random(7);
   for (const ListedPotential &listed : listed_potentials())
   {
-    const Point         point(*listed.potential, random);
-    const PointSums     at = derivatives(*listed.potential, point, point.inputs, Order::hessian);
+    const Point point(*listed.potential, random);
+    const PointSums at = derivatives(*listed.potential, point, point.inputs, Order::hessian);
     std::vector<double> direction(point.n_inputs);
     for (double &d : direction)
       d = std::uniform_real_distribution<double>(-1., 1.)(random);
-    // The error of a central difference falls by four when the step is halved, so it is a sign or factor that is wrong if it does not.
+    // The error of a central difference falls by four when the step is halved, so it is a sign or factor that is wrong
+    // if it does not.
     double previous_value = 0., previous_gradient = 0.;
     for (int level = 0; level < 2; ++level)
     {
-      const double        h = level == 0 ? 2e-2 : 1e-2;
+      const double h           = level == 0 ? 2e-2 : 1e-2;
       std::vector<double> plus = point.inputs, minus = point.inputs;
       for (unsigned int i = 0; i < point.n_inputs; ++i)
       {
         plus[i] += h * direction[i];
         minus[i] -= h * direction[i];
       }
-      const PointSums up = derivatives(*listed.potential, point, plus, Order::gradient),
+      const PointSums up   = derivatives(*listed.potential, point, plus, Order::gradient),
                       down = derivatives(*listed.potential, point, minus, Order::gradient);
       double slope = 0., error_gradient = 0.;
       for (unsigned int i = 0; i < point.n_inputs; ++i)
@@ -131,14 +134,15 @@ TEST(PotentialLibrary, HessiansAreSymmetric)
   std::mt19937 random(11);
   for (const ListedPotential &listed : listed_potentials())
   {
-    const Point     point(*listed.potential, random);
+    const Point point(*listed.potential, random);
     const PointSums at = derivatives(*listed.potential, point, point.inputs, Order::hessian);
-    double          largest = 0.;
+    double largest     = 0.;
     for (const double h : at.hessian)
       largest = std::max(largest, std::abs(h));
     for (unsigned int i = 0; i < point.n_inputs; ++i)
       for (unsigned int j = 0; j < i; ++j)
-        EXPECT_NEAR(at.hessian[i * point.n_inputs + j], at.hessian[j * point.n_inputs + i], 1e-13 * largest) << listed.name;
+        EXPECT_NEAR(at.hessian[i * point.n_inputs + j], at.hessian[j * point.n_inputs + i], 1e-13 * largest)
+            << listed.name;
   }
 }
 
@@ -147,7 +151,7 @@ TEST(PotentialLibrary, GradientOnlyEqualsGradientOfHessianCall)
   std::mt19937 random(13);
   for (const ListedPotential &listed : listed_potentials())
   {
-    const Point     point(*listed.potential, random);
+    const Point point(*listed.potential, random);
     const PointSums full = derivatives(*listed.potential, point, point.inputs, Order::hessian),
                     half = derivatives(*listed.potential, point, point.inputs, Order::gradient),
                     none = derivatives(*listed.potential, point, point.inputs, Order::value);
@@ -157,8 +161,8 @@ TEST(PotentialLibrary, GradientOnlyEqualsGradientOfHessianCall)
   }
 }
 
-// Rotation by a random unit quaternion, about the origin: densities of closed surfaces that read the position itself (volume) are invariant under
-// translation only as integrals, which the assembly tests cover.
+// Rotation by a random unit quaternion, about the origin: densities of closed surfaces that read the position itself
+// (volume) are invariant under translation only as integrals, which the assembly tests cover.
 TEST(PotentialLibrary, DensitiesAreInvariantUnderRotation)
 {
   std::mt19937 random(17);
@@ -168,29 +172,33 @@ TEST(PotentialLibrary, DensitiesAreInvariantUnderRotation)
                           {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d}};
   for (const ListedPotential &listed : listed_potentials())
   {
-    const Point         point(*listed.potential, random);
+    const Point point(*listed.potential, random);
     std::vector<double> rotated(point.n_inputs);
     for (unsigned int k = 0; k < point.n_inputs; k += 3)
       for (unsigned int i = 0; i < 3; ++i)
         rotated[k + i] = R[i][0] * point.inputs[k] + R[i][1] * point.inputs[k + 1] + R[i][2] * point.inputs[k + 2];
     const double before = derivatives(*listed.potential, point, point.inputs, Order::value).value[0];
-    EXPECT_NEAR(derivatives(*listed.potential, point, rotated, Order::value).value[0], before, 1e-13 * (1. + std::abs(before))) << listed.name;
+    EXPECT_NEAR(derivatives(*listed.potential, point, rotated, Order::value).value[0], before,
+                1e-13 * (1. + std::abs(before)))
+        << listed.name;
   }
 }
 
-// Under a linear change of parameters xi = B xi' a density per parametric area must change by det B if the integral is invariant, and only then.
+// Under a linear change of parameters xi = B xi' a density per parametric area must change by det B if the integral is
+// invariant, and only then.
 TEST(PotentialLibrary, ReparametrisationInvarianceIsAsDeclared)
 {
   std::mt19937 random(19);
   const double B[2][2] = {{1.2, 0.3}, {-0.2, 0.9}}, det = B[0][0] * B[1][1] - B[0][1] * B[1][0];
   for (const ListedPotential &listed : listed_potentials())
   {
-    const Point         point(*listed.potential, random);
+    const Point point(*listed.potential, random);
     std::vector<double> changed = point.inputs;
     for (const unsigned int offset : point.offsets)
       for (unsigned int c = 0; c < 3; ++c)
         for (unsigned int s = 0; s < 2; ++s)
-          changed[offset + 3 * (1 + s) + c] = point.inputs[offset + 3 + c] * B[0][s] + point.inputs[offset + 6 + c] * B[1][s];
+          changed[offset + 3 * (1 + s) + c] =
+              point.inputs[offset + 3 + c] * B[0][s] + point.inputs[offset + 6 + c] * B[1][s];
     const double before = derivatives(*listed.potential, point, point.inputs, Order::value).value[0];
     const double after  = derivatives(*listed.potential, point, changed, Order::value).value[0];
     if (listed.potential->reparametrisation_invariant())

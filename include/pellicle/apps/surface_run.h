@@ -26,23 +26,34 @@ public:
   void set(const std::string &path, double value, const std::string &origin);
   /** The number that a parameter has now. Throws UserError if there is none. */
   double number(const std::string &path) const;
+  /** Names of the listed effects. */
+  const std::vector<std::string> &effect_names() const { return effects; }
   /** used.prm. */
   std::string used_text();
 
 private:
   const SurfaceApplication &application;
-  Scene                     scene;
-  std::vector<std::string>  effects, analyses;
+  Scene scene;
+  std::vector<std::string> effects, analyses;
 };
 
 /** What --write-parameters and the manual describe: all parameters of the effects, listed ones first. */
 std::string commented_scene_of(const SurfaceApplication &application);
 
+/**
+ * Moves the stepped parameter to Load/From and returns the scene there. Throws UserError if Load/Parameter is not a
+ * number of this scene, or if From or To is not a value that it can have: a mistake there must not come to light after
+ * hours.
+ */
+SurfaceScene scene_at_start_of_load(SurfaceSceneFile &file, const LoadParameters &load);
+
 /** Called after every equilibrium: step, value of the stepped parameter (the step's number without load stepping). */
 using SolutionSink = std::function<void(const SurfaceModel &model, int step, double time)>;
 
 /**
- * Solves a scene, load steps included. Returns everything that summary.json says but the seconds of output; never throws for a solve that failed.
+ * Solves a scene, load steps included. Returns everything that summary.json says but the seconds of output; never
+ * throws for a solve that failed.
  */
-RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer, const SolutionSink &sink);
+RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer,
+                      const SolutionSink &sink);
 } // namespace pellicle

@@ -11,7 +11,8 @@
 
 namespace pellicle
 {
-/** What a loop over the cells did: shows that effects that are not listed cost nothing. Of this process, since construction. */
+/** What a loop over the cells did: shows that effects that are not listed cost nothing. Of this process, since
+ * construction. */
 struct AssemblyCounters
 {
   std::size_t loops           = 0; ///< over the cells
@@ -27,17 +28,18 @@ struct TermValues
 };
 
 /**
- * The loop over cells: gathers nodal values, forms the inputs of points, lets potentials and constraints add, contracts. Works in plain R^3 and
- * knows neither charts nor matrices; what a cell yields is handed to a visitor.
+ * The loop over cells: gathers nodal values, forms the inputs of points, lets potentials and constraints add,
+ * contracts. Works in plain R^3 and knows neither charts nor matrices; what a cell yields is handed to a visitor.
  */
 class Assembler
 {
 public:
-  /** Potentials and constraints that take part, by their indices in the set; and the fields whose derivatives are wanted. */
+  /** Potentials and constraints that take part, by their indices in the set; and the fields whose derivatives are
+   * wanted. */
   struct Selection
   {
     std::vector<std::size_t> energies, constraints;
-    std::vector<bool>        fields;
+    std::vector<bool> fields;
   };
 
   /** All terms, all fields. */
@@ -45,33 +47,37 @@ public:
   /** The terms that declare internal fields, and the derivatives with respect to these fields. */
   static Selection internal(const PotentialSet &set, const FieldLayout &layout);
 
-  Assembler(const SurfaceDiscretization &discretization, const FieldLayout &layout, const Communicator &communicator, Selection selection);
+  Assembler(const SurfaceDiscretization &discretization, const FieldLayout &layout, const Communicator &communicator,
+            Selection selection);
 
-  /** element: derivatives of energies + multipliers . constraints; constraint_gradients[k]: of g_k alone, rows as in Element. */
-  using Visitor = std::function<void(std::size_t cell, const Element &element, const std::vector<std::vector<double>> &constraint_gradients)>;
+  /** element: derivatives of energies + multipliers . constraints; constraint_gradients[k]: of g_k alone, rows as in
+   * Element. */
+  using Visitor = std::function<void(std::size_t cell, const Element &element,
+                                     const std::vector<std::vector<double>> &constraint_gradients)>;
 
   /** One loop over the cells of this process. Returns the values of the selected terms (others zero). */
-  TermValues loop(const PotentialSet &set, const FieldValues &values, const std::vector<double> &multipliers, Order order,
-                  const Visitor &visitor = {});
+  TermValues loop(const PotentialSet &set, const FieldValues &values, const std::vector<double> &multipliers,
+                  Order order, const Visitor &visitor = {});
 
   /** One cell of such a loop; adds the values of its terms to `values_of_terms`. */
-  void evaluate(const PotentialSet &set, const FieldValues &values, const std::vector<double> &multipliers, Order order, std::size_t cell,
-                TermValues &values_of_terms, Element &element, std::vector<std::vector<double>> &constraint_gradients);
+  void evaluate(const PotentialSet &set, const FieldValues &values, const std::vector<double> &multipliers, Order order,
+                std::size_t cell, TermValues &values_of_terms, Element &element,
+                std::vector<std::vector<double>> &constraint_gradients);
 
   const AssemblyCounters &counters() const { return counts; }
 
 private:
   const SurfaceDiscretization &discretization;
-  const FieldLayout           &layout;
-  const Communicator          &communicator;
-  Selection                    selection;
-  Contraction                  contraction;
-  AssemblyCounters             counts;
-  std::vector<double>          inputs; // of the points of one cell
-  PointSums                    total, single;
+  const FieldLayout &layout;
+  const Communicator &communicator;
+  Selection selection;
+  Contraction contraction;
+  AssemblyCounters counts;
+  std::vector<double> inputs; // of the points of one cell
+  PointSums total, single;
 };
 
 /** Inputs of all points of one cell for all fields of a layout: inputs[q * n_inputs + offset + 3 s + c]. */
-void gather_inputs(const SurfaceDiscretization &discretization, const FieldLayout &layout, const FieldValues &values, std::size_t cell,
-                   std::vector<double> &inputs);
+void gather_inputs(const SurfaceDiscretization &discretization, const FieldLayout &layout, const FieldValues &values,
+                   std::size_t cell, std::vector<double> &inputs);
 } // namespace pellicle

@@ -12,17 +12,17 @@
 namespace pellicle
 {
 /**
- * Unknowns of a linear system: the charts' unknowns node after node (fields in the layout's order within a node), then the multipliers of the
- * constraints, then one row for each rigid motion.
+ * Unknowns of a linear system: the charts' unknowns node after node (fields in the layout's order within a node), then
+ * the multipliers of the constraints, then one row for each rigid motion.
  */
 struct Numbering
 {
   std::vector<NodalChart> charts; ///< one a field; a chart without nodes: the field is not part of this system
-  std::size_t             n_constraints = 0;
-  std::size_t             n_rigid       = 0;
+  std::size_t n_constraints = 0;
+  std::size_t n_rigid       = 0;
 
-  std::vector<std::size_t> first;     ///< [node * n_fields + f]: first unknown of field f at a node
-  std::size_t              n_nodal = 0; ///< unknowns of all charts
+  std::vector<std::size_t> first; ///< [node * n_fields + f]: first unknown of field f at a node
+  std::size_t n_nodal = 0;        ///< unknowns of all charts
 
   Numbering(std::vector<NodalChart> charts, std::size_t n_constraints, std::size_t n_rigid);
 
@@ -43,8 +43,9 @@ struct Numbering
  *     [ A^T -1/c  0    ] [ dlambda ] = - [ g - g_0 - lambda/c ]
  *     [ R^T  0   -1/rho] [ mu      ]     [ 0       ]
  *
- * Direct solvers take the dense rows as they are. mu is zero at a solution (for a symmetric matrix; see set_rigid_motion): the rigid rows make it regular. Each process holds the
- * contributions of its own cells; residuals are complete on every process after finish().
+ * Direct solvers take the dense rows as they are. mu is zero at a solution (for a symmetric matrix; see
+ * set_rigid_motion): the rigid rows make it regular. Each process holds the contributions of its own cells; residuals
+ * are complete on every process after finish().
  */
 class BorderedSystem
 {
@@ -57,18 +58,19 @@ public:
 
   void begin();
   /** Adds a cell. `mesh`: the mesh energy's contribution, for charts with mesh equations (else null). */
-  void add_cell(std::size_t cell, const Element &physics, const std::vector<std::vector<double>> &constraint_gradients, const Element *mesh);
+  void add_cell(std::size_t cell, const Element &physics, const std::vector<std::vector<double>> &constraint_gradients,
+                const Element *mesh);
   /** Only the residual of a cell, for elimination and checks. */
   void add_cell_residual(std::size_t cell, const Element &physics);
   /** Border: value -1/c on the diagonal of constraint k and its residual. */
   void set_constraint(std::size_t k, double compliance, double residual);
-  /** Border row of a rigid motion: `direction` is a nodal vector field (already weighted), on the diagonal -1/rho. Its reaction so far times the
-   *  direction is part of the residual. */
+  /** Border row of a rigid motion: `direction` is a nodal vector field (already weighted), on the diagonal -1/rho. Its
+   * reaction so far times the direction is part of the residual. */
   void set_rigid_motion(std::size_t k, const NodalVectors &direction, double inverse_rho, double reaction);
   /** Sums residuals over the processes. */
   void finish();
 
-  const SparseMatrix        &matrix() const { return sparse; }
+  const SparseMatrix &matrix() const { return sparse; }
   const std::vector<double> &residual() const { return right; }
   /** Euclidean norms of the nodal residual and of the sum of the absolute contributions of cells to it. */
   double residual_norm() const;
@@ -90,17 +92,17 @@ private:
   void cell_unknowns(std::size_t cell, std::vector<int> &list) const;
 
   const SurfaceDiscretization &discretization;
-  const Communicator          &communicator;
-  Numbering                    unknowns;
-  SparseMatrix                 sparse;
-  std::vector<double>          right, contributions;
+  const Communicator &communicator;
+  Numbering unknowns;
+  SparseMatrix sparse;
+  std::vector<double> right, contributions;
   std::vector<std::vector<double>> constraint_rows;
 
-  std::size_t              first_cell = 0, last_cell = 0;
+  std::size_t first_cell = 0, last_cell = 0;
   std::vector<std::size_t> scatter_start; ///< of each own cell in `scatter`
-  std::vector<int>         scatter;       ///< positions in sparse.values; -1: not stored (upper triangle)
-  std::vector<int>         diagonal;      ///< position of each diagonal entry
-  std::vector<int>         cell_list;
-  std::vector<double>      projected, projected_gradient, projected_contribution;
+  std::vector<int> scatter;               ///< positions in sparse.values; -1: not stored (upper triangle)
+  std::vector<int> diagonal;              ///< position of each diagonal entry
+  std::vector<int> cell_list;
+  std::vector<double> projected, projected_gradient, projected_contribution;
 };
 } // namespace pellicle

@@ -8,8 +8,8 @@
 namespace pellicle
 {
 /**
- * The processes of a run. Mesh, state and vectors are replicated; cells and factorisation are distributed (contract 9). Without MPI (not
- * initialised) there is one process and sums cost nothing.
+ * The processes of a run. Mesh, state and vectors are replicated; cells and factorisation are distributed (contract 9).
+ * Without MPI (not initialised) there is one process and sums cost nothing.
  */
 class Communicator
 {

@@ -13,14 +13,14 @@ namespace pellicle
  */
 struct Element
 {
-  unsigned int        n_rows = 0;
+  unsigned int n_rows = 0;
   std::vector<double> gradient; ///< [row]
   std::vector<double> matrix;   ///< [row * n_rows + column], symmetric
 };
 
 /**
- * Contracts derivatives with respect to the inputs of points (PointSums) with the shape tables: the one place where that happens.
- * The tables are the same for all fields and cells; what differs is summed before.
+ * Contracts derivatives with respect to the inputs of points (PointSums) with the shape tables: the one place where
+ * that happens. The tables are the same for all fields and cells; what differs is summed before.
  */
 class Contraction
 {
@@ -36,13 +36,13 @@ public:
   void matrix(PointSums &sums, std::vector<double> &matrix);
 
 private:
-  void                  apply_map(PointSums &sums) const;
-  const double         *table(const unsigned int s) const { return stacked.data() + std::size_t(s) * n_points * n_nodes; }
+  void apply_map(PointSums &sums) const;
+  const double *table(const unsigned int s) const { return stacked.data() + std::size_t(s) * n_points * n_nodes; }
 
-  const ShapeTables  &tables;
-  std::vector<Field>  fields;
-  std::vector<bool>   active;
-  unsigned int        n_points, n_nodes, rows;
+  const ShapeTables &tables;
+  std::vector<Field> fields;
+  std::vector<bool> active;
+  unsigned int n_points, n_nodes, rows;
   std::vector<double> stacked; ///< [(s * n_points + q) * n_nodes + I]
   std::vector<double> half_contracted;
 };

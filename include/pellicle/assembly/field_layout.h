@@ -12,15 +12,15 @@ namespace pellicle
 /** One field of a scene: a vector per node, and where its inputs stand among the inputs of a point. */
 struct Field
 {
-  std::string  name;
-  FieldRole    role    = FieldRole::independent;
+  std::string name;
+  FieldRole role       = FieldRole::independent;
   unsigned int n_slots = 1; ///< as many as the most demanding potential reads
   unsigned int offset  = 0; ///< of its first input within the inputs of a point
 };
 
 /**
- * The fields that the listed potentials and constraints declare, and no others: an effect that is not listed adds no unknowns.
- * `position` comes first; the others follow in the order in which they are declared.
+ * The fields that the listed potentials and constraints declare, and no others: an effect that is not listed adds no
+ * unknowns. `position` comes first; the others follow in the order in which they are declared.
  */
 class FieldLayout
 {
@@ -28,10 +28,10 @@ public:
   explicit FieldLayout(const PotentialSet &set);
 
   const std::vector<Field> &fields() const { return list; }
-  unsigned int              n_inputs() const { return inputs; }
+  unsigned int n_inputs() const { return inputs; }
   /** Index of a field; asserts that it exists. */
   unsigned int index(std::string_view name) const;
-  bool         has(std::string_view name) const;
+  bool has(std::string_view name) const;
   /** Offsets of a potential's fields, in the order of Potential::fields(). */
   std::vector<unsigned int> offsets(const Potential &potential) const;
 
@@ -39,7 +39,7 @@ private:
   void declare(const Potential &potential);
 
   std::vector<Field> list;
-  unsigned int       inputs = 0;
+  unsigned int inputs = 0;
 };
 
 /** Nodal values of all fields of a layout, in its order. */

@@ -9,19 +9,20 @@
 namespace pellicle
 {
 /**
- * Unknowns of one field: nodal vector of I = current vector + sum_j column_Ij u_Ij (contract 4: Z = the 3 x m matrix of columns). Assembly works
- * in R^3 and knows none of it; rows and columns of a cell's contribution are multiplied by Z when they are scattered.
+ * Unknowns of one field: nodal vector of I = current vector + sum_j column_Ij u_Ij (contract 4: Z = the 3 x m matrix of
+ * columns). Assembly works in R^3 and knows none of it; rows and columns of a cell's contribution are multiplied by Z
+ * when they are scattered.
  *
- * A column's equation is the physical one (Z^T residual = 0) or, for the tangential columns of the ALE chart, the mesh equation (tangential
- * gradient of the mesh energy = 0).
+ * A column's equation is the physical one (Z^T residual = 0) or, for the tangential columns of the ALE chart, the mesh
+ * equation (tangential gradient of the mesh energy = 0).
  */
 struct NodalChart
 {
   struct Node
   {
-    unsigned int          count = 0;          ///< m, 0 to 3
-    std::array<double, 9> columns{};          ///< column j: columns[3 j .. 3 j + 2], orthonormal
-    std::array<bool, 3>   mesh_equation{};    ///< by column
+    unsigned int count = 0;              ///< m, 0 to 3
+    std::array<double, 9> columns{};     ///< column j: columns[3 j .. 3 j + 2], orthonormal
+    std::array<bool, 3> mesh_equation{}; ///< by column
   };
   std::vector<Node> nodes;
 
@@ -31,15 +32,19 @@ struct NodalChart
 /** Every admissible direction of a node is an unknown (the moment). */
 NodalChart free_chart(const SurfaceDiscretization &discretization);
 
-/** Normal graph x = X + u d with d the nodal normal: one unknown a node, symmetric, variational. Tangential motion, a gauge, is fixed. */
+/** Normal graph x = X + u d with d the nodal normal: one unknown a node, symmetric, variational. Tangential motion, a
+ * gauge, is fixed. */
 NodalChart graph_chart(const SurfaceDiscretization &discretization, const NodalVectors &normals);
 
-/** ALE: all admissible directions; the normal one with the physical equation, tangential ones with mesh equations. Unsymmetric, no bias. */
+/** ALE: all admissible directions; the normal one with the physical equation, tangential ones with mesh equations.
+ * Unsymmetric, no bias. */
 NodalChart ale_chart(const SurfaceDiscretization &discretization, const NodalVectors &normals);
 
-/** Unit normals at the nodes: averages of the cells' normals there, weighted by x,1 x x,2, projected to the admissible directions. */
+/** Unit normals at the nodes: averages of the cells' normals there, weighted by x,1 x x,2, projected to the admissible
+ * directions. */
 NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const NodalVectors &positions);
 
-/** Weights w_I > 0 of the nodes that add up to the area: the diagonal of the mass matrix, scaled. (Row sums may vanish at the pole of a meridian.) */
+/** Weights w_I > 0 of the nodes that add up to the area: the diagonal of the mass matrix, scaled. (Row sums may vanish
+ * at the pole of a meridian.) */
 std::vector<double> nodal_areas(const SurfaceDiscretization &discretization, const NodalVectors &positions);
 } // namespace pellicle

@@ -13,15 +13,15 @@ enum class MatrixSymmetry
 };
 
 /**
- * Square sparse matrix in compressed rows, columns ascending within a row. With several MPI processes every process holds the contributions of
- * its own cells (with a pattern of its own); the matrix is their sum.
+ * Square sparse matrix in compressed rows, columns ascending within a row. With several MPI processes every process
+ * holds the contributions of its own cells (with a pattern of its own); the matrix is their sum.
  */
 struct SparseMatrix
 {
-  MatrixSymmetry      symmetry = MatrixSymmetry::symmetric;
-  int                 size     = 0;
-  std::vector<int>    row_start; ///< size + 1 entries
-  std::vector<int>    columns;
+  MatrixSymmetry symmetry = MatrixSymmetry::symmetric;
+  int size                = 0;
+  std::vector<int> row_start; ///< size + 1 entries
+  std::vector<int> columns;
   std::vector<double> values;
 };
 } // namespace pellicle

@@ -7,10 +7,11 @@
 namespace pellicle
 {
 /**
- * Nodes on a smooth closed shape by way of the cube projected on the sphere: 6 * 4^r cells. Vertices are middles of great circles, refinement after
- * refinement; the other nodes of a cell are spherical means of its own vertices, so that edges are great circles run through at constant
- * speed. The interpolation error is then along the surface to leading order, which curvature of order k needs (a map that is smooth over a
- * whole face of the cube loses half an order, for its normal errors do not cancel at the cube's edges).
+ * Nodes on a smooth closed shape by way of the cube projected on the sphere: 6 * 4^r cells. Vertices are middles of
+ * great circles, refinement after refinement; the other nodes of a cell are spherical means of its own vertices, so
+ * that edges are great circles run through at constant speed. The interpolation error is then along the surface to
+ * leading order, which curvature of order k needs (a map that is smooth over a whole face of the cube loses half an
+ * order, for its normal errors do not cancel at the cube's edges).
  */
 SurfaceDiscretization on_cube_sphere(const SmoothShape &shape, unsigned int degree, unsigned int refinements);
 

@@ -62,9 +62,8 @@ SmoothShape biconcave();
  *     radius = R_m + rho eta,  angle from -z = (162 degrees) y,  eta^2 + y^n = 1,  R_m = (1 + R_i)/2,  rho = (1 -
  * R_i)/2,
  *
- * with n such that the tip has the radius of curvature rho. Polar angle of the sphere = arc length along the outline
- * (from the inner to the outer sphere, scaled to pi), which lies half-way between equal cell areas and equal aspect
- * ratios.
+ * with n such that the tip has the radius of curvature rho. The polar angle of the sphere grows with arc length and, at
+ * the rim, faster: nodes crowd where the outline is most curved and the neck narrow.
  *
  * Throws UserError outside the range of v that such cups cover with cells of reasonable shape (0.171 to 0.797).
  */

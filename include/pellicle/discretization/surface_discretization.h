@@ -73,9 +73,9 @@ struct SurfaceDiscretization
    * fastest). */
   std::vector<std::size_t> cell_nodes;
   NodalVectors positions;      ///< start shape, oriented so that a_1 x a_2 points out of the enclosed volume
-  NodalVectors mesh_reference; ///< the same nodes on a surface where they are well spread: the start shape or the sphere it is a map of
-                               ///< spread; empty if there is none
-  ShapeTables tables;          ///< Gauss, degree + 1 points a direction, all six slots
+  NodalVectors mesh_reference; ///< the same nodes on a surface where they are well spread: the start shape or the
+                               ///< sphere it is a map of spread; empty if there is none
+  ShapeTables tables;                           ///< Gauss, degree + 1 points a direction, all six slots
   std::vector<AdmissibleDirections> admissible; ///< one per node; empty: all nodes are free
   std::vector<RigidMotion> rigid_motions;       ///< six in R^3, one (along z) on a meridian, none with a mirror plane
   bool mirror = false;                          ///< a meridian that ends on the mirror plane z = 0

@@ -12,8 +12,9 @@
 namespace pellicle
 {
 /**
- * Solves for the internal fields at given independent fields and multipliers, by their own block of equations from the sum of all potentials
- * that declare them (contract 6). A density quadratic in the internal field (the moment) takes one solve; others iterate.
+ * Solves for the internal fields at given independent fields and multipliers, by their own block of equations from the
+ * sum of all potentials that declare them (contract 6). A density quadratic in the internal field (the moment) takes
+ * one solve; others iterate.
  */
 class InternalElimination
 {
@@ -25,21 +26,22 @@ public:
   bool empty() const { return n_unknowns == 0; }
 
   /**
-   * Replaces the internal fields in `values` by the solution. Returns false if the equations could not be solved (singular, not finite, no
-   * convergence in ten iterations).
+   * Replaces the internal fields in `values` by the solution. Returns false if the equations could not be solved
+   * (singular, not finite, no convergence in ten iterations).
    */
   bool solve(const PotentialSet &set, const std::vector<double> &multipliers, FieldValues &values);
 
   const AssemblyCounters &counters() const { return assembler.counters(); }
 
 private:
-  double relative_residual(const PotentialSet &set, const std::vector<double> &multipliers, const FieldValues &values, Order order);
+  double relative_residual(const PotentialSet &set, const std::vector<double> &multipliers, const FieldValues &values,
+                           Order order);
 
-  const FieldLayout             &layout;
-  Assembler                      assembler;
-  BorderedSystem                 system;
-  std::size_t                    n_unknowns;
-  std::unique_ptr<LinearSolver>  solver;
-  Timing                        &timing;
+  const FieldLayout &layout;
+  Assembler assembler;
+  BorderedSystem system;
+  std::size_t n_unknowns;
+  std::unique_ptr<LinearSolver> solver;
+  Timing &timing;
 };
 } // namespace pellicle

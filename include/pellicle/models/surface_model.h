@@ -18,34 +18,36 @@ namespace pellicle
 /** Result of one equilibrium solve. */
 struct StepResult
 {
-  bool                     converged  = false;
-  int                      iterations = 0;
-  int                      rejected   = 0;
-  double                   relative_residual = 0.;
-  std::string              failure;
+  bool converged           = false;
+  int iterations           = 0;
+  int rejected             = 0;
+  double relative_residual = 0.;
+  std::string failure;
   std::vector<std::string> warnings;
 };
 
 /**
- * A surface built from a scene: mesh, fields, lists, in internal units (length sqrt(A/4 pi), the effects' energy, origin at the centroid). What
- * users ask for is scaled back.
+ * A surface built from a scene: mesh, fields, lists, in internal units (length sqrt(A/4 pi), the effects' energy,
+ * origin at the centroid). What users ask for is scaled back.
  */
 class SurfaceModel
 {
 public:
   /**
-   * Builds mesh, fields and lists. Throws UserError: a start shape that cannot be made, a list without energy, an exact sphere under both area and
-   * volume constraints (their gradients are parallel).
+   * Builds mesh, fields and lists. Throws UserError: a start shape that cannot be made, a list without energy, an exact
+   * sphere under both area and volume constraints (their gradients are parallel).
    */
   SurfaceModel(const SurfaceScene &scene, const Communicator &communicator, Timing &timing);
 
   /** Takes over the numbers of a scene with the same effects and mesh: a load step. */
   void update(const SurfaceScene &scene);
 
-  /** Newton from the present state, in the charts that the scene asks for. On failure the state before the call is restored. */
+  /** Newton from the present state, in the charts that the scene asks for. On failure the state before the call is
+   * restored. */
   StepResult solve(int step, Observer &observer);
 
-  /** Number of negative eigenvalues of the reduced Hessian at the present state, on the normal-graph matrix; none if the solver cannot tell. */
+  /** Number of negative eigenvalues of the reduced Hessian at the present state, on the normal-graph matrix; none if
+   * the solver cannot tell. */
   std::optional<int> negative_eigenvalues();
 
   /** Reported quantities in the user's units, in the order of the documentation. */
@@ -57,22 +59,22 @@ public:
   /** Unknowns of the linear system that was solved last: name of field or "multipliers" -> number; "total". */
   std::vector<std::pair<std::string, std::size_t>> unknown_counts() const;
 
-  const SurfaceProblem        &equilibrium() const { return *problem; }
+  const SurfaceProblem &equilibrium() const { return *problem; }
   const SurfaceDiscretization &mesh() const { return discretization; }
-  const Scales                &scales() const { return unit; }
+  const Scales &scales() const { return unit; }
 
 private:
   void add_node_noise(const VesicleParameters &vesicle);
   void check_constraints_are_independent();
 
-  NewtonParameters                newton;
-  Scales                          unit;
-  const Communicator             &communicator;
-  Timing                         &timing;
-  std::array<double, 3>           centroid{};
-  SurfaceDiscretization           discretization;
+  NewtonParameters newton;
+  Scales unit;
+  const Communicator &communicator;
+  Timing &timing;
+  std::array<double, 3> centroid{};
+  SurfaceDiscretization discretization;
   std::unique_ptr<SurfaceProblem> problem;
-  std::unique_ptr<LinearSolver>   solver;
-  double                          bending_rigidity = 0.; ///< internal units; 0 without bending
+  std::unique_ptr<LinearSolver> solver;
+  double bending_rigidity = 0.; ///< internal units; 0 without bending
 };
 } // namespace pellicle

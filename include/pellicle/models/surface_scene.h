@@ -16,9 +16,9 @@ namespace pellicle
 /** Section "Mesh". */
 struct MeshParameters
 {
-  int         degree      = 3;
-  int         refinements = 2;
-  std::string symmetry    = "none";
+  int degree           = 3;
+  int refinements      = 2;
+  std::string symmetry = "none";
   std::string file;
 
   void bind(ParameterSection &section);
@@ -27,13 +27,13 @@ struct MeshParameters
 /** Section "Vesicle": start shape and targets of the constraints, in the user's units. */
 struct VesicleParameters
 {
-  double              area           = 12.566370614359172;
-  double              reduced_volume = 0.9;
-  std::string         start_shape    = "prolate";
+  double area             = 12.566370614359172;
+  double reduced_volume   = 0.9;
+  std::string start_shape = "prolate";
   std::vector<double> semi_axes{1., 1., 1.2};
-  double              torus_ratio = 1.4142135623730951;
-  double              node_noise  = 0.;
-  int                 random_seed = 1;
+  double torus_ratio = 1.4142135623730951;
+  double node_noise  = 0.;
+  int random_seed    = 1;
 
   void bind(ParameterSection &section);
 };
@@ -47,16 +47,17 @@ struct OutputParameters
   void bind(ParameterSection &section);
 };
 
-/** All parameters of a scene with one surface: the plain structs that a library user fills and that a scene file is read into. */
+/** All parameters of a scene with one surface: the plain structs that a library user fills and that a scene file is
+ * read into. */
 struct SurfaceScene
 {
-  MeshParameters                       mesh;
-  VesicleParameters                    vesicle;
-  LoadParameters                       load;
-  NewtonParameters                     newton;
-  OutputParameters                     output;
+  MeshParameters mesh;
+  VesicleParameters vesicle;
+  LoadParameters load;
+  NewtonParameters newton;
+  OutputParameters output;
   std::vector<std::unique_ptr<Effect>> effects;
-  std::vector<std::string>             analyses;
+  std::vector<std::string> analyses;
 
   /** Sections bound to the members; they must not outlive this object. */
   std::vector<ParameterSection> sections();
@@ -64,19 +65,21 @@ struct SurfaceScene
   /** Cross-checks between parameters. Throws UserError. */
   void check() const;
 
-  bool   has_effect(const std::string &name) const;
-  bool   has_analysis(const std::string &name) const;
-  Scales scales() const;       ///< length sqrt(A/4 pi), energy typical of the effects
+  bool has_effect(const std::string &name) const;
+  bool has_analysis(const std::string &name) const;
+  Scales scales() const;           ///< length sqrt(A/4 pi), energy typical of the effects
   double bending_rigidity() const; ///< kappa, the user's units; 0 without bending
-  double target_volume() const; ///< v (4 pi/3) (A/4 pi)^(3/2), the user's units
+  double target_volume() const;    ///< v (4 pi/3) (A/4 pi)^(3/2), the user's units
 
   StartShape start_shape() const;
   /** Energies and constraints in internal units. */
   PotentialSet potentials(const Scales &scales) const;
 };
 
-/** A scene with the named effects of a library, parameters at their defaults. Throws UserError for an unknown effect. */
-SurfaceScene make_surface_scene(const EffectLibrary &library, const std::vector<std::string> &effects, const std::vector<std::string> &analyses);
+/** A scene with the named effects of a library, parameters at their defaults. Throws UserError for an unknown effect.
+ */
+SurfaceScene make_surface_scene(const EffectLibrary &library, const std::vector<std::string> &effects,
+                                const std::vector<std::string> &analyses);
 
 /** Names of the analyses that can be listed. */
 const std::vector<std::string> &analysis_names();

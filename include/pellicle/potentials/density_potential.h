@@ -20,7 +20,8 @@ namespace pellicle
  *
  * Its derivatives come from automatic differentiation over the inputs of a point. A hot density may also have
  *
- *     void add_derivatives(const PointInputs<double, n> &inputs, const PointData &data, const PointDerivativeView &view) const;
+ *     void add_derivatives(const PointInputs<double, n> &inputs, const PointData &data, const PointDerivativeView
+ * &view) const;
  *
  * which is then used instead, and which the library-wide test compares with the automatic one.
  */
@@ -30,7 +31,11 @@ class DensityPotential : public Potential
 public:
   static constexpr unsigned int n_fields = std::tuple_size<std::decay_t<decltype(Density::fields)>>::value;
 
-  DensityPotential(std::string name, Density density) : potential_name(std::move(name)), pointwise(std::move(density)) {}
+  DensityPotential(std::string name, Density density)
+      : potential_name(std::move(name))
+      , pointwise(std::move(density))
+  {
+  }
 
   const std::string &name() const override { return potential_name; }
 
@@ -43,7 +48,7 @@ public:
   {
     for (unsigned int q = 0; q < points.n_points; ++q)
     {
-      const double   *inputs = points.inputs + std::size_t(q) * points.n_inputs;
+      const double *inputs = points.inputs + std::size_t(q) * points.n_inputs;
       const PointData data{points.first_point + q};
       double *gradient = order >= Order::gradient ? sums.gradient.data() + std::size_t(q) * sums.n_inputs : nullptr;
       double *hessian =
@@ -54,16 +59,19 @@ public:
       {
         const auto in = gather<double>(inputs, field_offsets);
         sums.value[q] += factor * pointwise.density(in, data);
-        pointwise.add_derivatives(in, data, PointDerivativeView(gradient, hessian, sums.n_inputs, field_offsets, factor));
+        pointwise.add_derivatives(in, data,
+                                  PointDerivativeView(gradient, hessian, sums.n_inputs, field_offsets, factor));
       }
       else
         sums.value[q] += add_automatic(inputs, field_offsets, data, factor, order, sums.n_inputs, gradient, hessian);
     }
   }
 
-  /** The same as add() at one point, always by automatic differentiation: the oracle of the tests. Returns factor * density. */
-  double add_automatic(const double *inputs, const unsigned int *field_offsets, const PointData &data, const double factor,
-                       const Order order, const unsigned int n_inputs, double *gradient, double *hessian) const
+  /** The same as add() at one point, always by automatic differentiation: the oracle of the tests. Returns factor *
+   * density. */
+  double add_automatic(const double *inputs, const unsigned int *field_offsets, const PointData &data,
+                       const double factor, const Order order, const unsigned int n_inputs, double *gradient,
+                       double *hessian) const
   {
     std::array<unsigned int, n_local> where{};
     local_positions(field_offsets, where);
@@ -100,12 +108,14 @@ private:
 
   template <typename D, typename = void>
   struct HandWritten : std::false_type
-  {};
+  {
+  };
   template <typename D>
   struct HandWritten<D, std::void_t<decltype(std::declval<const D &>().add_derivatives(
                             std::declval<const PointInputs<double, n_fields> &>(), std::declval<const PointData &>(),
                             std::declval<const PointDerivativeView &>()))>> : std::true_type
-  {};
+  {
+  };
   static constexpr bool has_hand_written_derivatives = HandWritten<Density>::value;
 
   static void local_positions(const unsigned int *field_offsets, std::array<unsigned int, n_local> &where)
@@ -131,7 +141,7 @@ private:
   static PointInputs<Number, n_fields> seeded(const double *inputs, const std::array<unsigned int, n_local> &where)
   {
     PointInputs<Number, n_fields> in;
-    unsigned int                  k = 0;
+    unsigned int k = 0;
     for (unsigned int f = 0; f < n_fields; ++f)
       for (unsigned int s = 0; s < n_slots(Density::fields[f].derivatives); ++s)
         for (unsigned int c = 0; c < 3; ++c, ++k)
@@ -140,6 +150,6 @@ private:
   }
 
   std::string potential_name;
-  Density     pointwise;
+  Density pointwise;
 };
 } // namespace pellicle

@@ -18,25 +18,25 @@ namespace pellicle
  *
  *     lambda (g - target) - lambda^2 / (2 stiffness),
  *
- * so that an infinite stiffness is the constraint by a Lagrange multiplier, and a finite one is exactly the penalty energy
- * (stiffness/2) (g - target)^2 with lambda = stiffness (g - target), without its bad conditioning.
+ * so that an infinite stiffness is the constraint by a Lagrange multiplier, and a finite one is exactly the penalty
+ * energy (stiffness/2) (g - target)^2 with lambda = stiffness (g - target), without its bad conditioning.
  */
 struct Constraint
 {
   std::shared_ptr<const Potential> measure; ///< g, integral of a density
-  double                           target = 0.;
-  double                           stiffness = std::numeric_limits<double>::infinity();
-  std::string                      quantity;             ///< reported name of g, e.g. "volume"
-  std::string                      multiplier;           ///< reported name of the multiplier, e.g. "pressure"
-  double                           multiplier_sign = 1.; ///< reported multiplier = sign * lambda
-  Dimension                        dimension;            ///< of g; the multiplier's is energy / dimension
+  double target    = 0.;
+  double stiffness = std::numeric_limits<double>::infinity();
+  std::string quantity;        ///< reported name of g, e.g. "volume"
+  std::string multiplier;      ///< reported name of the multiplier, e.g. "pressure"
+  double multiplier_sign = 1.; ///< reported multiplier = sign * lambda
+  Dimension dimension;         ///< of g; the multiplier's is energy / dimension
 };
 
 /** The lists that make a scene: energies and constraints. What is not listed costs nothing. */
 struct PotentialSet
 {
   std::vector<std::shared_ptr<const Potential>> energies;
-  std::vector<Constraint>                       constraints;
+  std::vector<Constraint> constraints;
 };
 
 /** What effects may take from the scene besides their own parameters; internal units. */
@@ -47,8 +47,8 @@ struct SceneTargets
 };
 
 /**
- * An entry of the scene's list `Effects`: its parameters, and the energies and constraints that it adds. The parameters are read in the
- * user's units; contribute() scales them.
+ * An entry of the scene's list `Effects`: its parameters, and the energies and constraints that it adds. The parameters
+ * are read in the user's units; contribute() scales them.
  */
 class Effect
 {

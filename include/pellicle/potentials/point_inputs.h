@@ -34,8 +34,8 @@ enum class FieldRole
 struct FieldUse
 {
   std::string_view name;
-  Derivatives      derivatives = Derivatives::first;
-  FieldRole        role        = FieldRole::independent;
+  Derivatives derivatives = Derivatives::first;
+  FieldRole role          = FieldRole::independent;
 };
 
 /**
@@ -64,7 +64,8 @@ struct FieldAtPoint
 template <typename Number, unsigned int n_fields>
 using PointInputs = std::array<FieldAtPoint<Number>, n_fields>;
 
-/** What a density may know of a point besides the fields. Densities keep their own data per point (reference metric, history). */
+/** What a density may know of a point besides the fields. Densities keep their own data per point (reference metric,
+ * history). */
 struct PointData
 {
   std::size_t index = 0; ///< running number of the quadrature point: cell * (points a cell) + point

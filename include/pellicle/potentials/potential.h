@@ -22,19 +22,19 @@ enum class Order
 /** The inputs of all quadrature points of one cell: inputs[q * n_inputs + field offset + 3 * slot + component]. */
 struct CellPoints
 {
-  std::size_t   first_point = 0; ///< running number of the cell's first point
-  unsigned int  n_points    = 0;
-  unsigned int  n_inputs    = 0; ///< of all fields of the scene together
-  const double *inputs      = nullptr;
+  std::size_t first_point = 0; ///< running number of the cell's first point
+  unsigned int n_points   = 0;
+  unsigned int n_inputs   = 0; ///< of all fields of the scene together
+  const double *inputs    = nullptr;
 };
 
 /**
- * Sums over potentials of value, gradient and Hessian with respect to the inputs, at each point of one cell. Per unit of parametric area:
- * quadrature weights enter when `assembly` contracts the sums with the shape tables.
+ * Sums over potentials of value, gradient and Hessian with respect to the inputs, at each point of one cell. Per unit
+ * of parametric area: quadrature weights enter when `assembly` contracts the sums with the shape tables.
  */
 struct PointSums
 {
-  unsigned int        n_inputs = 0;
+  unsigned int n_inputs = 0;
   std::vector<double> value;    ///< [q]
   std::vector<double> gradient; ///< [q * n_inputs + i]
   std::vector<double> hessian;  ///< [(q * n_inputs + i) * n_inputs + j], symmetric
@@ -51,7 +51,8 @@ struct PointSums
 };
 
 /**
- * One term of the variational principle, seen from a cell: it only adds. A potential knows neither shape functions nor unknowns.
+ * One term of the variational principle, seen from a cell: it only adds. A potential knows neither shape functions nor
+ * unknowns.
  *
  * The value at a point is a density per unit of parametric area; the potential is its integral over the surface.
  */
@@ -67,8 +68,8 @@ public:
   virtual std::vector<FieldUse> fields() const = 0;
 
   /**
-   * True if the integral does not change when the surface is parametrised anew. Only if all listed potentials are may the tangential
-   * equations be replaced by mesh equations (doc/architecture.md, contract 5).
+   * True if the integral does not change when the surface is parametrised anew. Only if all listed potentials are may
+   * the tangential equations be replaced by mesh equations (doc/architecture.md, contract 5).
    */
   virtual bool reparametrisation_invariant() const = 0;
 
@@ -77,7 +78,8 @@ public:
    *
    * @param field_offsets  for each of fields(): where its inputs start within the inputs of a point.
    */
-  virtual void add(const CellPoints &points, const unsigned int *field_offsets, double factor, Order order, PointSums &sums) const = 0;
+  virtual void add(const CellPoints &points, const unsigned int *field_offsets, double factor, Order order,
+                   PointSums &sums) const = 0;
 };
 
 /** A 3 x 3 block, row-major. Arithmetic of hand-written second derivatives. */
@@ -86,7 +88,7 @@ struct Matrix3
   std::array<double, 9> entries{};
 
   double &operator()(const unsigned int i, const unsigned int j) { return entries[3 * i + j]; }
-  double  operator()(const unsigned int i, const unsigned int j) const { return entries[3 * i + j]; }
+  double operator()(const unsigned int i, const unsigned int j) const { return entries[3 * i + j]; }
 
   friend Matrix3 operator+(Matrix3 a, const Matrix3 &b)
   {
@@ -131,15 +133,21 @@ inline Matrix3 cross_matrix(const Vector3<double> &a)
 }
 
 /**
- * Where a density with hand-written derivatives adds them at one point, in blocks of three: field (in the density's own order) and slot
- * (0 value, 1 ",1", 2 ",2", ...).
+ * Where a density with hand-written derivatives adds them at one point, in blocks of three: field (in the density's own
+ * order) and slot (0 value, 1 ",1", 2 ",2", ...).
  */
 class PointDerivativeView
 {
 public:
-  PointDerivativeView(double *gradient, double *hessian, const unsigned int n_inputs, const unsigned int *field_offsets, const double factor)
-      : gradient(gradient), hessian(hessian), n_inputs(n_inputs), offsets(field_offsets), factor(factor)
-  {}
+  PointDerivativeView(double *gradient, double *hessian, const unsigned int n_inputs, const unsigned int *field_offsets,
+                      const double factor)
+      : gradient(gradient)
+      , hessian(hessian)
+      , n_inputs(n_inputs)
+      , offsets(field_offsets)
+      , factor(factor)
+  {
+  }
 
   /** Whether second derivatives are wanted. */
   bool wants_hessian() const { return hessian != nullptr; }
@@ -152,8 +160,8 @@ public:
   }
 
   /** Adds the block d2/(d a d b) and, unless a and b are the same input, its transpose at (b, a). */
-  void add_hessian(const unsigned int field_a, const unsigned int slot_a, const unsigned int field_b, const unsigned int slot_b,
-                   const Matrix3 &block) const
+  void add_hessian(const unsigned int field_a, const unsigned int slot_a, const unsigned int field_b,
+                   const unsigned int slot_b, const Matrix3 &block) const
   {
     const unsigned int a = offsets[field_a] + 3 * slot_a, b = offsets[field_b] + 3 * slot_b;
     for (unsigned int i = 0; i < 3; ++i)
@@ -166,10 +174,10 @@ public:
   }
 
 private:
-  double             *gradient;
-  double             *hessian;
-  unsigned int        n_inputs;
+  double *gradient;
+  double *hessian;
+  unsigned int n_inputs;
   const unsigned int *offsets;
-  double              factor;
+  double factor;
 };
 } // namespace pellicle

@@ -6,8 +6,8 @@
 namespace pellicle
 {
 /**
- * Area J = |x,1 x x,2| and cone volume x . (x,1 x x,2)/3 per unit of parametric area, with hand-written derivatives. Shared by the energies
- * (tension, pressure) and the constraints (area, volume) made of them.
+ * Area J = |x,1 x x,2| and cone volume x . (x,1 x x,2)/3 per unit of parametric area, with hand-written derivatives.
+ * Shared by the energies (tension, pressure) and the constraints (area, volume) made of them.
  *
  * | code        | symbol                                      |
  * |-------------|---------------------------------------------|
@@ -17,10 +17,10 @@ namespace pellicle
  */
 struct AreaDerivatives
 {
-  double          J = 0.;
+  double J = 0.;
   Vector3<double> normal;
   Vector3<double> dJ[2];
-  double          inverse_metric[3] = {0., 0., 0.}; ///< a^11, a^12, a^22
+  double inverse_metric[3] = {0., 0., 0.}; ///< a^11, a^12, a^22
 
   AreaDerivatives(const Vector3<double> &x1, const Vector3<double> &x2)
   {
@@ -35,7 +35,8 @@ struct AreaDerivatives
     inverse_metric[2]       = s * dot(x1, x1);
   }
 
-  /** d2J/(dx,a dx,b) = J (a^a (x) a^b - a^b (x) a^a + a^ab n (x) n), a and b in {0, 1}: (112) of Sauer 2014, D2 J of the conventions. */
+  /** d2J/(dx,a dx,b) = J (a^a (x) a^b - a^b (x) a^a + a^ab n (x) n), a and b in {0, 1}: (112) of Sauer 2014, D2 J of
+   * the conventions. */
   Matrix3 d2J(const unsigned int a, const unsigned int b) const
   {
     Matrix3 block = (J * inverse_metric[a + b]) * outer(normal, normal);
@@ -58,7 +59,8 @@ Number volume_density(const FieldAtPoint<Number> &x)
 }
 
 /** Adds `factor` times the derivatives of J; `field` is the position's index in the density's own order. */
-inline void add_area_derivatives(const FieldAtPoint<double> &x, const unsigned int field, const double factor, const PointDerivativeView &view)
+inline void add_area_derivatives(const FieldAtPoint<double> &x, const unsigned int field, const double factor,
+                                 const PointDerivativeView &view)
 {
   const AreaDerivatives area(x.d1(), x.d2());
   for (unsigned int a = 0; a < 2; ++a)
@@ -70,7 +72,8 @@ inline void add_area_derivatives(const FieldAtPoint<double> &x, const unsigned i
 }
 
 /** Adds `factor` times the derivatives of x . (x,1 x x,2)/3. */
-inline void add_volume_derivatives(const FieldAtPoint<double> &x, const unsigned int field, const double factor, const PointDerivativeView &view)
+inline void add_volume_derivatives(const FieldAtPoint<double> &x, const unsigned int field, const double factor,
+                                   const PointDerivativeView &view)
 {
   const double third = factor / 3.;
   view.add_gradient(field, 0, third * cross(x.d1(), x.d2()));

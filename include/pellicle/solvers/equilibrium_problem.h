@@ -8,11 +8,12 @@
 namespace pellicle
 {
 /**
- * What Newton's method needs to know of a problem: stationary points of an energy under constraints, in unknowns whose meaning is not its
- * business. A direction holds nodal unknowns first, then increments of multipliers, then gauge rows.
+ * What Newton's method needs to know of a problem: stationary points of an energy under constraints, in unknowns whose
+ * meaning is not its business. A direction holds nodal unknowns first, then increments of multipliers, then gauge rows.
  *
- * The merit of a state along a direction is the energy (internal fields eliminated) plus the constraint terms with the multipliers that the full step
- * would give, plus a quadratic penalty of the constraint violation: never the norm of the residual, which leads to saddles.
+ * The merit of a state along a direction is the energy (internal fields eliminated) plus the constraint terms with the
+ * multipliers that the full step would give, plus a quadratic penalty of the constraint violation: never the norm of
+ * the residual, which leads to saddles.
  */
 class EquilibriumProblem
 {
@@ -20,8 +21,8 @@ public:
   virtual ~EquilibriumProblem() = default;
 
   /** Assembles matrix and residual at the current state. */
-  virtual void                       linearize()      = 0;
-  virtual const SparseMatrix        &matrix() const   = 0;
+  virtual void linearize()                            = 0;
+  virtual const SparseMatrix &matrix() const          = 0;
   virtual const std::vector<double> &residual() const = 0;
 
   /** Norm of the residual relative to the norm of the sum of the cells' absolute contributions to it. */
@@ -41,7 +42,8 @@ public:
   virtual double merit_slope(const std::vector<double> &direction) const = 0;
   /** Merit of the current state, with the multipliers of the full step along the direction. */
   virtual double merit(const std::vector<double> &direction) const = 0;
-  /** Moves to current state + length * direction (a trial) and returns its merit; not finite if the trial makes no sense. */
+  /** Moves to current state + length * direction (a trial) and returns its merit; not finite if the trial makes no
+   * sense. */
   virtual double try_step(const std::vector<double> &direction, double length) = 0;
   /** Makes the last trial the current state and takes over the full step's multipliers. */
   virtual void accept_trial() = 0;

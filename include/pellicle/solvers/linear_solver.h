@@ -19,16 +19,16 @@ struct Inertia
 };
 
 /**
- * Direct solver for sparse systems. The symbolic analysis is made at the first factorisation and kept while the pattern stays the same
- * (same size, same number of entries, same row_start and columns); a new pattern is analysed anew.
+ * Direct solver for sparse systems. The symbolic analysis is made at the first factorisation and kept while the pattern
+ * stays the same (same size, same number of entries, same row_start and columns); a new pattern is analysed anew.
  */
 class LinearSolver
 {
 public:
   virtual ~LinearSolver() = default;
 
-  /** Factorises the matrix (with several processes: the sum of all processes' matrices). Throws SolveError when it is singular to working
-   *  precision or memory runs out; the message names the cause in the solver's terms. */
+  /** Factorises the matrix (with several processes: the sum of all processes' matrices). Throws SolveError when it is
+   * singular to working precision or memory runs out; the message names the cause in the solver's terms. */
   virtual void factorize(const SparseMatrix &matrix) = 0;
 
   /** Replaces the right-hand side (complete and equal on every process) by the solution (complete on every process). */
@@ -46,6 +46,7 @@ const std::vector<std::string> &linear_solver_names();
 /** Throws UserError for an unknown name (with near matches) and for UMFPACK with more than one MPI process. */
 std::unique_ptr<LinearSolver> make_linear_solver(const std::string &name);
 
-/** Threads of the BLAS that the factorisation uses (OpenBLAS: at run time; another BLAS: no effect). Returns whether it could be set. */
+/** Threads of the BLAS that the factorisation uses (OpenBLAS: at run time; another BLAS: no effect). Returns whether it
+ * could be set. */
 bool set_blas_threads(int n);
 } // namespace pellicle

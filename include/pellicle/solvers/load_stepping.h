@@ -14,15 +14,15 @@ struct LoadParameters
   std::string parameter; ///< "Section/Name"; empty: no load stepping
   std::string from;      ///< number or expression; empty: the scene's own value of the parameter
   std::string to;
-  int         steps         = 10;
-  double      smallest_step = 1e-3;
+  int steps            = 10;
+  double smallest_step = 1e-3;
 
   void bind(ParameterSection &section);
 };
 
 /**
- * Walks t from 0 to 1 in steps of 1/steps at first: a step that fails is halved and tried again, a step that succeeds lets the next one grow by half,
- * up to four times the first. The first call is attempt(0).
+ * Walks t from 0 to 1 in steps of 1/steps at first: a step that fails is halved and tried again, a step that succeeds
+ * lets the next one grow by half, up to four times the first. The first call is attempt(0).
  *
  * @param attempt  solves at t; returns whether it succeeded. After a failure it must have restored the last state.
  * @return         1 if the end was reached, else the last t that succeeded (negative if not even t = 0).

@@ -15,36 +15,37 @@ namespace pellicle
 /** Section "Newton". */
 struct NewtonParameters
 {
-  int         max_iterations = 60;
-  double      tolerance      = 1e-9;
-  double      initial_drag   = 100.;
-  double      step_limit     = 0.3;
+  int max_iterations         = 60;
+  double tolerance           = 1e-9;
+  double initial_drag        = 100.;
+  double step_limit          = 0.3;
   std::string chart          = "automatic";
   std::string mesh_reference = "start shape";
   std::string linear_solver  = "mumps";
-  int         threads        = 1;
+  int threads                = 1;
 
   void bind(ParameterSection &section);
 };
 
 struct NewtonResult
 {
-  bool                   converged         = false;
-  int                    iterations        = 0; ///< accepted steps
-  int                    rejected          = 0; ///< factorisations whose step was not taken
-  double                 relative_residual = 0.;
+  bool converged           = false;
+  int iterations           = 0; ///< accepted steps
+  int rejected             = 0; ///< factorisations whose step was not taken
+  double relative_residual = 0.;
   std::optional<Inertia> inertia; ///< of the last factorised matrix without drag
-  std::string            failure; ///< why it stopped, if not converged
+  std::string failure;            ///< why it stopped, if not converged
 };
 
 /**
  * Newton's method for a minimum under constraints.
  *
- * Variational problems: Levenberg-Marquardt drag about the last iterate (so the residual is unbiased), backtracking on the merit. The drag
- * grows tenfold when the direction ascends, leaves the trust region (`step_limit`), the matrix has negative pivots that a minimum must not have while
- * the state is still far from equilibrium, or no step length lowers the merit; it shrinks a hundredfold after each full step. Predicted changes of the merit
- * at round-off level are accepted without test, otherwise the line search fails on noise at the end.
- * Others (ALE): full steps, shortened to the trust region; drag is added when a step would raise the merit by more than a little.
+ * Variational problems: Levenberg-Marquardt drag about the last iterate (so the residual is unbiased), backtracking on
+ * the merit. The drag grows tenfold when the direction ascends, leaves the trust region (`step_limit`), the matrix has
+ * negative pivots that a minimum must not have while the state is still far from equilibrium, or no step length lowers
+ * the merit; it shrinks a hundredfold after each full step. Predicted changes of the merit at round-off level are
+ * accepted without test, otherwise the line search fails on noise at the end. Others (ALE): full steps, shortened to
+ * the trust region; drag is added when a step would raise the merit by more than a little.
  */
 class Newton
 {
@@ -63,8 +64,8 @@ private:
   bool increase_drag(NewtonResult &result);
 
   const NewtonParameters &parameters;
-  LinearSolver           &solver;
-  Timing          &timing;
-  double                  drag = 0.;
+  LinearSolver &solver;
+  Timing &timing;
+  double drag = 0.;
 };
 } // namespace pellicle

@@ -7,7 +7,8 @@ namespace pellicle
 void VolumeConstraintParameters::bind(ParameterSection &section)
 {
   section.number("Stiffness", stiffness, Range::positive().or_infinite(), {1, -6},
-                 "Stiffness c of the penalty energy (c/2)(V - V0)^2, V0 from Vesicle/Reduced volume. inf: the volume is held exactly by a "
+                 "Stiffness c of the penalty energy (c/2)(V - V0)^2, V0 from Vesicle/Reduced volume. inf: the volume "
+                 "is held exactly by a "
                  "Lagrange multiplier. Either way the pressure P = c (V0 - V), inside minus outside, is reported.");
 }
 

@@ -6,9 +6,11 @@ namespace pellicle
 {
 void AreaConstraintParameters::bind(ParameterSection &section)
 {
-  section.number("Stiffness", stiffness, Range::positive().or_infinite(), {1, -4},
-                 "Stiffness c of the penalty energy (c/2)(A - A0)^2, A0 = Vesicle/Area. inf: the area is held exactly by a Lagrange "
-                 "multiplier. Either way the tension sigma = c (A - A0) is reported, positive when the surface is stretched.");
+  section.number(
+      "Stiffness", stiffness, Range::positive().or_infinite(), {1, -4},
+      "Stiffness c of the penalty energy (c/2)(A - A0)^2, A0 = Vesicle/Area. inf: the area is held exactly by a "
+      "Lagrange "
+      "multiplier. Either way the tension sigma = c (A - A0) is reported, positive when the surface is stretched.");
 }
 
 const std::string &AreaConstraintEffect::name() const

@@ -4,8 +4,8 @@
 
 namespace pellicle
 {
-// With f = S/J - C0 N.P - J |P|^2/(2 kappa), S quadratic in x,a and linear in P,b, every block below is one product rule; the library-wide
-// test compares them with automatic differentiation.
+// With f = S/J - C0 N.P - J |P|^2/(2 kappa), S quadratic in x,a and linear in P,b, every block below is one product
+// rule; the library-wide test compares them with automatic differentiation.
 void HelfrichBending::add_derivatives(const PointInputs<double, 2> &inputs, const PointData & /*data*/,
                                       const PointDerivativeView &view) const
 {
@@ -14,15 +14,15 @@ void HelfrichBending::add_derivatives(const PointInputs<double, 2> &inputs, cons
   const Vector3<double> &P = inputs[moment].value(), &P1 = inputs[moment].d1(), &P2 = inputs[moment].d2();
 
   const AreaDerivatives area(x1, x2);
-  const double          J = area.J, a11 = dot(x1, x1), a12 = dot(x1, x2), a22 = dot(x2, x2);
-  const double          x1P1 = dot(x1, P1), x2P2 = dot(x2, P2), mixed = dot(x1, P2) + dot(x2, P1);
-  const double          S    = a22 * x1P1 - a12 * mixed + a11 * x2P2;
-  const double          half = dot(P, P) / (2. * kappa); // |P|^2/(2 kappa)
+  const double J = area.J, a11 = dot(x1, x1), a12 = dot(x1, x2), a22 = dot(x2, x2);
+  const double x1P1 = dot(x1, P1), x2P2 = dot(x2, P2), mixed = dot(x1, P2) + dot(x2, P1);
+  const double S    = a22 * x1P1 - a12 * mixed + a11 * x2P2;
+  const double half = dot(P, P) / (2. * kappa); // |P|^2/(2 kappa)
 
   const Vector3<double> S_x[2] = {a22 * P1 - a12 * P2 + (2. * x2P2) * x1 - mixed * x2,
                                   a11 * P2 - a12 * P1 + (2. * x1P1) * x2 - mixed * x1};
   const Vector3<double> S_P[2] = {a22 * x1 - a12 * x2, a11 * x2 - a12 * x1};
-  const double          f_J    = -S / (J * J) - half; // df/dJ at fixed S
+  const double f_J             = -S / (J * J) - half; // df/dJ at fixed S
 
   view.add_gradient(position, 1, (1. / J) * S_x[0] + f_J * area.dJ[0] - C0 * cross(x2, P));
   view.add_gradient(position, 2, (1. / J) * S_x[1] + f_J * area.dJ[1] - C0 * cross(P, x1));
@@ -35,11 +35,12 @@ void HelfrichBending::add_derivatives(const PointInputs<double, 2> &inputs, cons
   const Matrix3 S_xx[3] = {identity3(2. * x2P2) - outer(P2, x2) - outer(x2, P2),
                            2. * (outer(P1, x2) + outer(x1, P2)) - outer(P2, x1) - outer(x2, P1) - identity3(mixed),
                            identity3(2. * x1P1) - outer(P1, x1) - outer(x1, P1)};
-  const double  f_JJ = 2. * S / (J * J * J);
+  const double f_JJ     = 2. * S / (J * J * J);
   for (unsigned int a = 0; a < 2; ++a)
     for (unsigned int b = a; b < 2; ++b)
     {
-      Matrix3 block = (1. / J) * S_xx[a + b] - (1. / (J * J)) * (outer(S_x[a], area.dJ[b]) + outer(area.dJ[a], S_x[b])) +
+      Matrix3 block = (1. / J) * S_xx[a + b] -
+                      (1. / (J * J)) * (outer(S_x[a], area.dJ[b]) + outer(area.dJ[a], S_x[b])) +
                       f_JJ * outer(area.dJ[a], area.dJ[b]) + f_J * area.d2J(a, b);
       if (a != b)
         block = block + C0 * cross_matrix(P);
@@ -50,7 +51,8 @@ void HelfrichBending::add_derivatives(const PointInputs<double, 2> &inputs, cons
                               {2. * outer(x2, x1) - outer(x1, x2) - identity3(a12), identity3(a11) - outer(x1, x1)}};
   for (unsigned int a = 0; a < 2; ++a)
     for (unsigned int b = 0; b < 2; ++b)
-      view.add_hessian(position, 1 + a, moment, 1 + b, (1. / J) * S_xP[a][b] - (1. / (J * J)) * outer(area.dJ[a], S_P[b]));
+      view.add_hessian(position, 1 + a, moment, 1 + b,
+                       (1. / J) * S_xP[a][b] - (1. / (J * J)) * outer(area.dJ[a], S_P[b]));
 
   view.add_hessian(position, 1, moment, 0, (-1. / kappa) * outer(area.dJ[0], P) - C0 * cross_matrix(x2));
   view.add_hessian(position, 2, moment, 0, (-1. / kappa) * outer(area.dJ[1], P) + C0 * cross_matrix(x1));
@@ -62,7 +64,8 @@ void HelfrichBendingParameters::bind(ParameterSection &section)
   section.number("Bending rigidity", bending_rigidity, Range::positive(), dimensions::energy,
                  "Bending rigidity kappa in (kappa/2)(2H + C0)^2 per area, where 2H = -2/R on a sphere of radius R.");
   section.number("Spontaneous curvature", spontaneous_curvature, Range::any(), dimensions::curvature,
-                 "Spontaneous curvature C0 in (kappa/2)(2H + C0)^2. Positive: convex outward is favoured; the stress-free sphere has R = 2/C0.");
+                 "Spontaneous curvature C0 in (kappa/2)(2H + C0)^2. Positive: convex outward is favoured; the "
+                 "stress-free sphere has R = 2/C0.");
 }
 
 const std::string &HelfrichBendingEffect::name() const

@@ -6,8 +6,9 @@ namespace pellicle
 {
 void PressureParameters::bind(ParameterSection &section)
 {
-  section.number("Pressure", pressure, Range::any(), dimensions::pressure,
-                 "Prescribed pressure P, inside minus outside, in E = -P V. Positive: the enclosed volume wants to grow.");
+  section.number(
+      "Pressure", pressure, Range::any(), dimensions::pressure,
+      "Prescribed pressure P, inside minus outside, in E = -P V. Positive: the enclosed volume wants to grow.");
 }
 
 const std::string &PressureEffect::name() const
@@ -23,6 +24,7 @@ std::string PressureEffect::description() const
 
 void PressureEffect::contribute(const Scales &scales, const SceneTargets & /*targets*/, PotentialSet &set) const
 {
-  set.energies.push_back(std::make_shared<DensityPotential<Pressure>>(name(), Pressure{scaled(parameters, scales).pressure}));
+  set.energies.push_back(
+      std::make_shared<DensityPotential<Pressure>>(name(), Pressure{scaled(parameters, scales).pressure}));
 }
 } // namespace pellicle

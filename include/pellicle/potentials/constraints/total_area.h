@@ -10,7 +10,7 @@ namespace pellicle
 struct TotalArea
 {
   static constexpr std::array<FieldUse, 1> fields{{{"position", Derivatives::first, FieldRole::independent}}};
-  static constexpr bool                    reparametrisation_invariant = true;
+  static constexpr bool reparametrisation_invariant = true;
 
   template <typename Number>
   Number density(const PointInputs<Number, 1> &inputs, const PointData & /*data*/) const
@@ -18,7 +18,8 @@ struct TotalArea
     return area_density(inputs[0]);
   }
 
-  void add_derivatives(const PointInputs<double, 1> &inputs, const PointData & /*data*/, const PointDerivativeView &view) const
+  void add_derivatives(const PointInputs<double, 1> &inputs, const PointData & /*data*/,
+                       const PointDerivativeView &view) const
   {
     add_area_derivatives(inputs[0], 0, 1., view);
   }
@@ -36,9 +37,9 @@ class AreaConstraintEffect : public Effect
 {
 public:
   const std::string &name() const override;
-  std::string        description() const override;
-  void               bind(ParameterSection &section) override { parameters.bind(section); }
-  void               contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
+  std::string description() const override;
+  void bind(ParameterSection &section) override { parameters.bind(section); }
+  void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
 
   AreaConstraintParameters parameters;
 };

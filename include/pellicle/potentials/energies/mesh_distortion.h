@@ -20,15 +20,16 @@ struct ReferenceMetric
  *
  *     tr C/(2 J) - 1 + w (J - 1)^2,    C = A^-1 a,   J = sqrt(det C),   w = 20,
  *
- * zero where the metric a_ab equals the reference A_ab. The first two terms see change of shape only (conformal energy), the last one change of
- * area; w weighs even cells against square ones (measured: energy errors of strongly deformed vesicles are 1.5 to 2 times smaller than
- * with w = 1/2). Its tangential gradient fixes the position of the nodes on the surface in the ALE chart; it is no physics and is never added to it.
+ * zero where the metric a_ab equals the reference A_ab. The first two terms see change of shape only (conformal
+ * energy), the last one change of area; w weighs even cells against square ones (measured: energy errors of strongly
+ * deformed vesicles are 1.5 to 2 times smaller than with w = 1/2). Its tangential gradient fixes the position of the
+ * nodes on the surface in the ALE chart; it is no physics and is never added to it.
  */
 struct MeshDistortion
 {
   static constexpr std::array<FieldUse, 1> fields{{{"position", Derivatives::first, FieldRole::independent}}};
-  static constexpr bool                    reparametrisation_invariant = false;
-  static constexpr double                  area_weight                 = 20.; ///< w
+  static constexpr bool reparametrisation_invariant = false;
+  static constexpr double area_weight               = 20.; ///< w
 
   std::shared_ptr<const std::vector<ReferenceMetric>> reference; ///< by PointData::index
 
@@ -36,10 +37,10 @@ struct MeshDistortion
   Number density(const PointInputs<Number, 1> &inputs, const PointData &data) const
   {
     const ReferenceMetric &A  = (*reference)[data.index];
-    const double           J0 = std::sqrt(A.A11 * A.A22 - A.A12 * A.A12);
+    const double J0           = std::sqrt(A.A11 * A.A22 - A.A12 * A.A12);
     const Vector3<Number> &x1 = inputs[0].d1(), &x2 = inputs[0].d2();
-    const Number           stretch = area_density(inputs[0]) / J0;
-    const Number trace = (A.A22 * dot(x1, x1) - 2. * A.A12 * dot(x1, x2) + A.A11 * dot(x2, x2)) / (J0 * J0);
+    const Number stretch = area_density(inputs[0]) / J0;
+    const Number trace   = (A.A22 * dot(x1, x1) - 2. * A.A12 * dot(x1, x2) + A.A11 * dot(x2, x2)) / (J0 * J0);
     return J0 * (trace / (2. * stretch) - 1. + area_weight * (stretch - 1.) * (stretch - 1.));
   }
 };

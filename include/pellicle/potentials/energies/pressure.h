@@ -10,7 +10,7 @@ namespace pellicle
 struct Pressure
 {
   static constexpr std::array<FieldUse, 1> fields{{{"position", Derivatives::first, FieldRole::independent}}};
-  static constexpr bool                    reparametrisation_invariant = true;
+  static constexpr bool reparametrisation_invariant = true;
 
   double pressure = 0.; ///< P, internal units
 
@@ -20,7 +20,8 @@ struct Pressure
     return -pressure * volume_density(inputs[0]);
   }
 
-  void add_derivatives(const PointInputs<double, 1> &inputs, const PointData & /*data*/, const PointDerivativeView &view) const
+  void add_derivatives(const PointInputs<double, 1> &inputs, const PointData & /*data*/,
+                       const PointDerivativeView &view) const
   {
     add_volume_derivatives(inputs[0], 0, -pressure, view);
   }
@@ -38,9 +39,9 @@ class PressureEffect : public Effect
 {
 public:
   const std::string &name() const override;
-  std::string        description() const override;
-  void               bind(ParameterSection &section) override { parameters.bind(section); }
-  void               contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
+  std::string description() const override;
+  void bind(ParameterSection &section) override { parameters.bind(section); }
+  void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
 
   PressureParameters parameters;
 };

@@ -10,7 +10,7 @@ namespace pellicle
 struct SurfaceTension
 {
   static constexpr std::array<FieldUse, 1> fields{{{"position", Derivatives::first, FieldRole::independent}}};
-  static constexpr bool                    reparametrisation_invariant = true;
+  static constexpr bool reparametrisation_invariant = true;
 
   double tension = 1.; ///< sigma, internal units
 
@@ -20,7 +20,8 @@ struct SurfaceTension
     return tension * area_density(inputs[0]);
   }
 
-  void add_derivatives(const PointInputs<double, 1> &inputs, const PointData & /*data*/, const PointDerivativeView &view) const
+  void add_derivatives(const PointInputs<double, 1> &inputs, const PointData & /*data*/,
+                       const PointDerivativeView &view) const
   {
     add_area_derivatives(inputs[0], 0, tension, view);
   }
@@ -37,11 +38,11 @@ struct SurfaceTensionParameters
 class SurfaceTensionEffect : public Effect
 {
 public:
-  const std::string     &name() const override;
-  std::string            description() const override;
-  void                   bind(ParameterSection &section) override { parameters.bind(section); }
-  std::optional<double>  typical_energy(double length) const override;
-  void                   contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
+  const std::string &name() const override;
+  std::string description() const override;
+  void bind(ParameterSection &section) override { parameters.bind(section); }
+  std::optional<double> typical_energy(double length) const override;
+  void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
 
   SurfaceTensionParameters parameters;
 };
