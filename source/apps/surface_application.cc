@@ -43,6 +43,9 @@ public:
       {
         constexpr int keep_users_choice = 0;
         setenv("OMPI_MCA_ess_singleton_isolated", "1", keep_users_choice);
+        // Isolated processes would all use the same session folder and take it away from under each other; one process
+        // needs none.
+        setenv("OMPI_MCA_orte_create_session_dirs", "0", keep_users_choice);
         setenv("OMPI_MCA_pml", "ob1", keep_users_choice);
         setenv("OMPI_MCA_btl", "self", keep_users_choice);
       }

@@ -10,33 +10,35 @@ from vesicle_program import SCENES, VesicleTest, in_pairs, settings
 PROLATE = SCENES / "prolate.prm"
 V = "Load/Parameter=Vesicle/Reduced volume"
 
-# Overrides of prolate.prm, and what the message must hold.
-OVERRIDES = [
+# Overrides of prolate.prm, and what the message must hold. First one of each kind, for the quick suite.
+OF_EACH_KIND = [
     (["Vesicle/Reduced volme=0.9"], ["Reduced volme", "Did you mean 'Reduced volume'"]),
-    (["Vesicl/Area=1"], ["Vesicl", "Did you mean 'Vesicle'"]),
     (["Effects=helfrich bendin"], ["helfrich bendin", "Did you mean 'helfrich bending'"]),
+    (["Vesicle/Start shape=prolat"], ["prolat", "Did you mean 'prolate'", "'stomatocyte'", "'torus'"]),
+    (["Vesicle/Reduced volume=1.1"], ["Reduced volume", "1.1", "(0, 1]"]),
+    (["Helfrich bending/Bending rigidity=-1"], ["Bending rigidity", "-1", "a number > 0"]),
+    (["Mesh/Degree=9"], ["Degree", "9", "[2, 5]"]),
+    (["Mesh/Refinements=40"], ["Refinements", "40", "[0, 8]"]),
+    (["Vesicle/Area=nan"], ["Area", "nan", "a number > 0"]),
+    (["Mesh/Symmetry=axial", "Vesicle/Start shape=torus"], ["torus", "axial"]),
+    (["Vesicle/Reduced volume=1"], ["sphere", "area and volume constraint", "below 1", "drop one"]),
+    (["Vesicle/Start shape=ellipsoid", "Vesicle/Semi axes=1, 1, 1"], ["sphere", "off the sphere", "1, 1, 1.02", "drop one"]),
+]
+OTHERS = [
+    (["Vesicl/Area=1"], ["Vesicl", "Did you mean 'Vesicle'"]),
     (["Effects=helfrich bending, helfrich bending"], ["twice"]),
     (["Effects=area constraint"], ["'helfrich bending'", "not in Effects", "list it"]),
     (["Surface tension/Surface tension=1"], ["'surface tension'", "not in Effects", "list it"]),
     (["Analyses=stabilty"], ["stabilty", "Did you mean 'stability'"]),
-    (["Vesicle/Start shape=prolat"], ["prolat", "Did you mean 'prolate'", "'stomatocyte'", "'torus'"]),
-    (["Vesicle/Reduced volume=1.1"], ["Reduced volume", "1.1", "(0, 1]"]),
     (["Vesicle/Reduced volume=0"], ["Reduced volume", "(0, 1]"]),
-    (["Vesicle/Reduced volume=1"], ["sphere", "area and volume constraint", "below 1", "drop one"]),
-    (["Vesicle/Start shape=ellipsoid", "Vesicle/Semi axes=1, 1, 1"], ["sphere", "off the sphere", "1, 1, 1.02", "drop one"]),
     (["Vesicle/Start shape=stomatocyte"], ["0.9", "stomatocyte", "between"]),
     (["Vesicle/Semi axes=1, 2"], ["Semi axes", "three"]),
-    (["Helfrich bending/Bending rigidity=-1"], ["Bending rigidity", "-1", "a number > 0"]),
-    (["Mesh/Degree=9"], ["Degree", "9", "[2, 5]"]),
     (["Mesh/Degree=2.5"], ["Degree", "2.5", "integer"]),
-    (["Mesh/Refinements=40"], ["Refinements", "40", "[0, 8]"]),
-    (["Vesicle/Area=nan"], ["Area", "nan", "a number > 0"]),
     (["Vesicle/Area=inf"], ["Area", "inf", "a number > 0"]),
     (["Vesicle/Area=4*py"], ["Area", "4*py"]),
     (["Vesicle/Area="], ["Area", "empty"]),
     (["Vesicle/Area"], ["Vesicle/Area", "Section/Name=value"]),
     (["Output/Picture=maybe"], ["Picture", "maybe", "true or false"]),
-    (["Mesh/Symmetry=axial", "Vesicle/Start shape=torus"], ["torus", "axial"]),
     (["Vesicle/Start shape=file"], ["Mesh/File"]),
     (["Mesh/File=vesicle.msh"], ["vesicle.msh", "prolate", "'file'"]),
     (["Vesicle/Start shape=file", "Mesh/File=nowhere.msh"], ["nowhere.msh", "cannot be opened"]),
@@ -75,25 +77,49 @@ class Refusals(VesicleTest):
             self.assert_clear_refusal(process, directory, words)
             self.assertFalse(directory.exists(), "a refused scene leaves an output directory behind")
 
+    def refuse_overrides(self, cases):
+        in_pairs(lambda c: self.refuse(f"run{c[0]}", [PROLATE, *settings(*c[1][0])], c[1][1]), list(enumerate(cases)))
+
+    def refuse_meshes(self, meshes):
+        cases = []
+        for name, text, words in meshes:
+            scene = self.write(f"{name}.prm", f"subsection Mesh\n  set File = {name}.msh\nend\nsubsection Vesicle\n  set Start shape = file\nend\n")
+            self.write(f"{name}.msh", text)
+            cases.append((name, [scene], [f"{name}.msh", *words]))
+        in_pairs(lambda case: self.refuse(f"of_{case[0]}", *case[1:]), cases)
+
+
+class OfEachKind(Refusals):
     def test_values(self):
-        in_pairs(lambda c: self.refuse(f"run{c[0]}", [PROLATE, *settings(*c[1][0])], c[1][1]), list(enumerate(OVERRIDES)))
+        self.refuse_overrides(OF_EACH_KIND)
+
+    def test_meshes(self):
+        self.refuse_meshes(MESHES[:2])
+
+    def test_scene_files(self):
+        self.refuse("missing", ["nowhere.prm"], ["nowhere.prm", "cannot open"])
+        self.refuse("malformed", [self.write("malformed.prm", "\nset Effects helfrich bending\n")], ["malformed.prm:2"])
+
+    def test_output_directory(self):
+        file = self.write("file", "")
+        self.assert_clear_refusal(self.call(PROLATE, "--output-directory", file), file, [str(file), "--output-directory"])
+
+
+class Others(Refusals):
+    def test_values(self):
+        self.refuse_overrides(OTHERS)
+
+    def test_meshes(self):
+        self.refuse_meshes(MESHES[2:])
 
     def test_scene_files(self):
         cases = [(name, [self.write(name, text)], words) for name, text, words in SCENE_TEXTS]
         cases += [("missing", ["nowhere.prm"], ["nowhere.prm", "cannot open"]), ("folder", [self.folder], ["is a directory"])]
         in_pairs(lambda case: self.refuse(f"of_{case[0]}", *case[1:]), cases)
 
-    def test_meshes(self):
-        cases = []
-        for name, text, words in MESHES:
-            scene = self.write(f"{name}.prm", f"subsection Mesh\n  set File = {name}.msh\nend\nsubsection Vesicle\n  set Start shape = file\nend\n")
-            self.write(f"{name}.msh", text)
-            cases.append((name, [scene], [f"{name}.msh", *words]))
-        in_pairs(lambda case: self.refuse(f"of_{case[0]}", *case[1:]), cases)
-
     def test_output_directories(self):
         file = self.write("file", "")
-        for directory in (file, file / "below", "/proc/pellicle"):
+        for directory in (file / "below", "/proc/pellicle"):
             process = self.call(PROLATE, "--output-directory", directory)
             self.assert_clear_refusal(process, directory, [str(directory), "--output-directory"])
         self.assert_clear_refusal(self.call("--write-parameters", file / "scene.prm"), self.folder, ["scene.prm"])

@@ -215,17 +215,22 @@ TEST(StartShape, StomatocyteConvergesOnMeridianAtTwiceTheDegree)
   EXPECT_GT(std::log2(std::abs(coarse / fine)), 5.4) << coarse << " " << fine;
 }
 
-/** Positions as a set, to the last bit. */
+/** Positions as a set, to 1e-12. */
 std::set<std::array<double, 3>> nodes_of(const SurfaceDiscretization &d,
                                          const std::function<std::array<double, 3>(const double *)> &image)
 {
   std::set<std::array<double, 3>> nodes;
   for (std::size_t n = 0; n < d.n_nodes; ++n)
-    nodes.insert(image(&d.positions[3 * n]));
+  {
+    std::array<double, 3> x = image(&d.positions[3 * n]);
+    for (double &c : x)
+      c = std::round(1e12 * c) / 1e12 + 0.; // + 0: no negative zeros
+    nodes.insert(x);
+  }
   return nodes;
 }
 
-TEST(StartShape, NodesHaveTheSymmetriesOfTheShapeExactly)
+TEST(StartShape, NodesHaveTheSymmetriesOfTheShape)
 {
   const auto same = [](const double *x) {
     return std::array<double, 3>{{x[0] + 0., x[1] + 0., x[2] + 0.}};
@@ -264,13 +269,13 @@ TEST(StartShape, CellsDifferLittleInSize)
   StartShape sphere      = start("ellipsoid", 3, 3);
   sphere.semi_axes       = {{1., 1., 1.}};
   const SurfaceQuality q = quality(sphere);
-  EXPECT_LT(q.cell_area_ratio, 1.4);
+  EXPECT_LT(q.cell_area_ratio, 1.65);
   EXPECT_GT(q.min_cell_quality, .85);
   EXPECT_LT(q.largest_aspect, 1.45);
 
   const SurfaceQuality cup = quality(start("stomatocyte", 3, 3));
-  EXPECT_LT(cup.cell_area_ratio, 7.);
-  EXPECT_GT(cup.min_cell_quality, .2);
+  EXPECT_LT(cup.cell_area_ratio, 50.); // small ones at the rim and in the neck, where the curvature is
+  EXPECT_GT(cup.min_cell_quality, .4);
 
   const SurfaceQuality clifford = quality(start("torus", 3, 2));
   EXPECT_LT(clifford.largest_aspect, 3.7); // at the hole; 1.6 on the outside

@@ -72,9 +72,9 @@ struct SurfaceDiscretization
   /** Nodes of cell c: cell_nodes[c * n_local + i], i lexicographic on the tensor-product unit cell (first coordinate
    * fastest). */
   std::vector<std::size_t> cell_nodes;
-  NodalVectors positions;      ///< start shape, oriented so that a_1 x a_2 points out of the enclosed volume
-  NodalVectors mesh_reference; ///< the same nodes on a surface where they are well spread: the start shape or the
-                               ///< sphere it is a map of spread; empty if there is none
+  NodalVectors positions; ///< start shape, oriented so that a_1 x a_2 points out of the enclosed volume
+  /** The same nodes on a surface where they are well spread: the start shape, or the sphere it is a map of. */
+  NodalVectors mesh_reference;
   ShapeTables tables;                           ///< Gauss, degree + 1 points a direction, all six slots
   std::vector<AdmissibleDirections> admissible; ///< one per node; empty: all nodes are free
   std::vector<RigidMotion> rigid_motions;       ///< six in R^3, one (along z) on a meridian, none with a mirror plane
