@@ -193,12 +193,6 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
                      "Load/Smallest step may help.";
   if (result.status == RunStatus::failed && result.quantities.empty())
     result.quantities = model.quantities();
-  if (result.status == RunStatus::converged && first.has_analysis("stability"))
-    if (const std::optional<int> negative = model.negative_eigenvalues())
-    {
-      result.stability                       = StabilityCounts{};
-      result.stability->negative_eigenvalues = *negative;
-    }
   result.effects.clear();
   for (const auto &effect : first.effects)
     result.effects.push_back(effect->name());
@@ -210,6 +204,13 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
     result.unknowns.blocks.emplace_back(name, n);
     result.unknowns.total += n;
   }
+  // Last, for it looks at the state in a chart of its own.
+  if (result.status == RunStatus::converged && first.has_analysis("stability"))
+    if (const std::optional<int> negative = model.negative_eigenvalues())
+    {
+      result.stability                       = StabilityCounts{};
+      result.stability->negative_eigenvalues = *negative;
+    }
   return result;
 }
 } // namespace pellicle

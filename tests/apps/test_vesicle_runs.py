@@ -4,7 +4,7 @@
 import math
 import xml.etree.ElementTree
 
-from vesicle_meshes import box, msh_text
+from vesicle_meshes import msh_text, spheroid
 from vesicle_program import SCENES, SMALL, VesicleTest
 
 PROLATE = SCENES / "prolate.prm"
@@ -143,10 +143,10 @@ class Failures(VesicleTest):
 
 
 class StartShapeFromFile(VesicleTest):
-    def test_box_becomes_a_vesicle(self):
-        self.write("box.msh", msh_text(*box((1.0, 1.0, 2.0))))
-        scene = self.write("box.prm", "subsection Mesh\n  set File = box.msh\n  set Degree = 3\n  set Refinements = 1\nend\n"
-                                      "subsection Vesicle\n  set Start shape = file\nend\n")
+    def test_facets_become_a_vesicle(self):
+        self.write("facets.msh", msh_text(*spheroid(1.9)))
+        scene = self.write("facets.prm", "subsection Mesh\n  set File = facets.msh\n  set Degree = 3\n  set Refinements = 1\nend\n"
+                                         "subsection Vesicle\n  set Start shape = file\nend\n")
         run = self.solve(scene)
         self.assertEqual(run.summary["mesh"], {"cells": 96, "degree": 3})
         self.assert_within(run.quantities["area"], 4 * math.pi, 1e-8)

@@ -43,6 +43,16 @@ def box(lengths, cuts=2):
     return nodes, cells
 
 
+def spheroid(stretch, cuts=2):
+    """The facets of a cube, their nodes on the unit sphere stretched in z."""
+    nodes, cells = box((2.0, 2.0, 2.0), cuts)
+    projected = []
+    for x, y, z in nodes:
+        r = (x * x + y * y + z * z) ** 0.5
+        projected.append((x / r, y / r, stretch * z / r))
+    return projected, cells
+
+
 def projective_plane():
     """The six-vertex triangulation: every edge has two triangles, and there is no inside."""
     nodes = [(1, 0, 0), (0, 1, 0), (0, 0, 1), (-1, 0.2, 0), (0, -1, 0.3), (0.4, 0, -1)]
