@@ -143,12 +143,12 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
     const StepResult outcome = model.solve(step, observer);
     result.newton.iterations += outcome.iterations;
     result.newton.rejected += outcome.rejected;
+    result.newton.final_relative_residual = outcome.relative_residual;
     if (!outcome.converged)
     {
       failure = outcome.failure;
       return false;
     }
-    result.newton.final_relative_residual = outcome.relative_residual;
     result.warnings.insert(result.warnings.end(), outcome.warnings.begin(), outcome.warnings.end());
     for (const std::string &warning : outcome.warnings)
       observer.on_message(warning);
@@ -192,7 +192,12 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
                      "). There may be no equilibrium nearby beyond it (a fold); a finer mesh or a smaller "
                      "Load/Smallest step may help.";
   if (result.status == RunStatus::failed && result.quantities.empty())
+  {
+    // Not even the first equilibrium was found: what there is to see is where the iteration ended.
+    model.show_last_iterate();
     result.quantities = model.quantities();
+    sink(model, 0, stepping ? from : 0.);
+  }
   result.effects.clear();
   for (const auto &effect : first.effects)
     result.effects.push_back(effect->name());

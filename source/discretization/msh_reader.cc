@@ -22,9 +22,7 @@ public:
       , stream(file)
   {
     if (!stream)
-      throw UserError(
-          "Mesh file '" + file +
-          "' cannot be opened: check the name (it is taken relative to the current directory) and permissions.");
+      throw UserError("Mesh file '" + file + "' cannot be opened: check the name and permissions.");
   }
 
   [[noreturn]] void fail(const std::string &what, const std::size_t at_line = 0) const

@@ -160,10 +160,9 @@ StepResult SurfaceModel::solve(const int step, Observer &observer)
     const NewtonResult outcome = method.solve(*problem, step, energies, result.iterations);
     result.iterations += outcome.iterations;
     result.rejected += outcome.rejected;
-    result.converged = outcome.converged;
-    result.failure   = outcome.failure;
-    if (outcome.converged)
-      result.relative_residual = outcome.relative_residual;
+    result.converged         = outcome.converged;
+    result.failure           = outcome.failure;
+    result.relative_residual = outcome.relative_residual;
     return outcome.converged;
   };
   const auto polish = [&]
@@ -196,8 +195,26 @@ StepResult SurfaceModel::solve(const int step, Observer &observer)
       polish();
   }
   if (!result.converged)
+  {
+    last_iterate = problem->state();
     problem->set_state(before);
+  }
   return result;
+}
+
+void SurfaceModel::show_last_iterate()
+{
+  if (last_iterate.fields.empty())
+    return;
+  const SurfaceState kept = problem->state();
+  try
+  {
+    problem->set_state(last_iterate);
+  }
+  catch (const SolveError &)
+  {
+    problem->set_state(kept); // a shape without a moment cannot be shown
+  }
 }
 
 std::optional<int> SurfaceModel::negative_eigenvalues()

@@ -39,6 +39,8 @@ struct Dimension
       return "energy/length^3";
     case 96:
       return "energy/length^4";
+    case 94:
+      return "energy/length^6";
     default:
       return "energy^a length^b";
     }

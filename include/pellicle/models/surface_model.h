@@ -46,6 +46,9 @@ public:
    * restored. */
   StepResult solve(int step, Observer &observer);
 
+  /** Goes to the state at which the last solve gave up, so that it can be looked at. Does nothing if none did. */
+  void show_last_iterate();
+
   /** Number of negative eigenvalues of the reduced Hessian at the present state, on the normal-graph matrix; none if
    * the solver cannot tell. */
   std::optional<int> negative_eigenvalues();
@@ -75,6 +78,7 @@ private:
   SurfaceDiscretization discretization;
   std::unique_ptr<SurfaceProblem> problem;
   std::unique_ptr<LinearSolver> solver;
+  SurfaceState last_iterate;    ///< of the last solve that failed
   double bending_rigidity = 0.; ///< internal units; 0 without bending
 };
 } // namespace pellicle
