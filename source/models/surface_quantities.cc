@@ -5,6 +5,8 @@
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_model.h>
 
+#include <algorithm>
+
 namespace pellicle
 {
 std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
@@ -29,12 +31,22 @@ std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
       report("bending_energy_over_8_pi_kappa", energy / (8. * 3.141592653589793 * bending_rigidity), dimensions::none);
     }
   report("total_energy", problem->energy(), dimensions::energy);
+  // Tension and pressure: prescribed, or multiplier of a constraint, or (with a finite stiffness) the sum of both.
+  std::vector<PrescribedQuantity> forces = set.prescribed;
   for (std::size_t k = 0; k < set.constraints.size(); ++k)
   {
     const Constraint &constraint = set.constraints[k];
-    const Dimension dimension{1 - constraint.dimension.energy, -constraint.dimension.length};
-    report(constraint.multiplier, constraint.multiplier_sign * state.multipliers[k], dimension);
+    const double multiplier      = constraint.multiplier_sign * state.multipliers[k];
+    const auto same              = std::find_if(forces.begin(), forces.end(),
+                                                [&](const PrescribedQuantity &f) { return f.name == constraint.multiplier; });
+    if (same != forces.end())
+      same->value += multiplier;
+    else
+      forces.push_back(
+          {constraint.multiplier, multiplier, {1 - constraint.dimension.energy, -constraint.dimension.length}});
   }
+  for (const PrescribedQuantity &force : forces)
+    report(force.name, force.value, force.dimension);
   report("integrated_mean_curvature", integrated_mean_curvature(discretization, positions, curvature.curvature_vector),
          dimensions::length);
   report("gauss_bonnet", shape.gauss_bonnet, dimensions::none);

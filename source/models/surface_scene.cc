@@ -109,6 +109,13 @@ void SurfaceScene::check() const
     throw UserError("Load/Parameter = " + load.parameter +
                     " cannot change during a run: it shapes the mesh, the scale or the run itself.");
   const PotentialSet set = potentials(Scales{});
+  for (const PrescribedQuantity &prescribed : set.prescribed)
+    for (const Constraint &constraint : set.constraints)
+      if (constraint.multiplier == prescribed.name && !std::isfinite(constraint.stiffness))
+        throw UserError("The list Effects prescribes the " + prescribed.name + " and holds the " + constraint.quantity +
+                        " exactly: the multiplier of the constraint is the " + prescribed.name +
+                        " and would only take up the prescribed one. Drop one of the two effects, or give the "
+                        "constraint a finite Stiffness.");
   if (set.energies.empty())
     throw UserError("The list Effects holds no energy: nothing determines the shape. List 'helfrich bending' or "
                     "'surface tension'.");

@@ -42,6 +42,8 @@ OTHERS = [
     (["Vesicle/Start shape=file"], ["Mesh/File"]),
     (["Mesh/File=vesicle.msh"], ["vesicle.msh", "prolate", "'file'"]),
     (["Vesicle/Start shape=file", "Mesh/File=nowhere.msh"], ["nowhere.msh", "cannot be opened"]),
+    (["Effects=helfrich bending, area constraint, surface tension"], ["tension", "area", "Drop one", "Stiffness"]),
+    (["Effects=helfrich bending, volume constraint, pressure"], ["pressure", "volume", "Drop one", "Stiffness"]),
     (["Load/To=0.8"], ["Load", "Parameter"]),
     ([V], ["Load", "'To'"]),
     (["Load/Parameter=Mesh/Degree", "Load/To=3"], ["Mesh/Degree", "cannot change"]),

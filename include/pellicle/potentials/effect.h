@@ -32,11 +32,20 @@ struct Constraint
   Dimension dimension;         ///< of g; the multiplier's is energy / dimension
 };
 
+/** A multiplier's quantity with a given value: the tension of the effect "surface tension". */
+struct PrescribedQuantity
+{
+  std::string name;
+  double value = 0.; ///< internal units
+  Dimension dimension;
+};
+
 /** The lists that make a scene: energies and constraints. What is not listed costs nothing. */
 struct PotentialSet
 {
   std::vector<std::shared_ptr<const Potential>> energies;
   std::vector<Constraint> constraints;
+  std::vector<PrescribedQuantity> prescribed; ///< only for reports
 };
 
 /** What effects may take from the scene besides their own parameters; internal units. */

@@ -24,7 +24,8 @@ std::string PressureEffect::description() const
 
 void PressureEffect::contribute(const Scales &scales, const SceneTargets & /*targets*/, PotentialSet &set) const
 {
-  set.energies.push_back(
-      std::make_shared<DensityPotential<Pressure>>(name(), Pressure{scaled(parameters, scales).pressure}));
+  const double pressure = scaled(parameters, scales).pressure;
+  set.energies.push_back(std::make_shared<DensityPotential<Pressure>>(name(), Pressure{pressure}));
+  set.prescribed.push_back({"pressure", pressure, dimensions::pressure});
 }
 } // namespace pellicle

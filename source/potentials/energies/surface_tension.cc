@@ -30,7 +30,8 @@ std::optional<double> SurfaceTensionEffect::typical_energy(const double length) 
 
 void SurfaceTensionEffect::contribute(const Scales &scales, const SceneTargets & /*targets*/, PotentialSet &set) const
 {
-  set.energies.push_back(
-      std::make_shared<DensityPotential<SurfaceTension>>(name(), SurfaceTension{scaled(parameters, scales).tension}));
+  const double tension = scaled(parameters, scales).tension;
+  set.energies.push_back(std::make_shared<DensityPotential<SurfaceTension>>(name(), SurfaceTension{tension}));
+  set.prescribed.push_back({"tension", tension, dimensions::tension});
 }
 } // namespace pellicle
