@@ -65,6 +65,7 @@ class Files(VesicleTest):
         run = self.solve(soap, "Mesh/Symmetry=axial", "Mesh/Degree=4")
         self.assertNotIn("moment", run.summary["unknowns"])
         self.assertEqual([name for name in run.quantities if "bending" in name], [])
+        self.assertEqual(run.quantities["tension"], 1.0)  # the prescribed one
         # The sphere, with Laplace's pressure 2 sigma/R.
         radius = 0.8 ** (1 / 3)
         self.assert_within(run.quantities["pressure"], 2 / radius, 1e-6)
