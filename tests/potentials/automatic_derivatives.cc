@@ -4,6 +4,7 @@
 #include <pellicle/potentials/constraints/total_area.h>
 #include <pellicle/potentials/density_potential.h>
 #include <pellicle/potentials/energies/helfrich_bending.h>
+#include <pellicle/potentials/energies/mesh_distortion.h>
 #include <pellicle/potentials/energies/pressure.h>
 #include <pellicle/potentials/energies/surface_tension.h>
 
@@ -70,5 +71,10 @@ TEST(AutomaticDerivatives, TotalArea)
 TEST(AutomaticDerivatives, EnclosedVolume)
 {
   compare(EnclosedVolume{});
+}
+
+TEST(AutomaticDerivatives, MeshDistortion)
+{
+  compare(MeshDistortion{std::make_shared<const std::vector<ReferenceMetric>>(1, ReferenceMetric{1.3, 0.2, 0.9})});
 }
 } // namespace

@@ -43,6 +43,9 @@ struct MeshDistortion
     const Number trace   = (A.A22 * dot(x1, x1) - 2. * A.A12 * dot(x1, x2) + A.A11 * dot(x2, x2)) / (J0 * J0);
     return J0 * (trace / (2. * stretch) - 1. + area_weight * (stretch - 1.) * (stretch - 1.));
   }
+
+  void add_derivatives(const PointInputs<double, 1> &inputs, const PointData &data,
+                       const PointDerivativeView &view) const;
 };
 
 /** The mesh energy as a potential. */
