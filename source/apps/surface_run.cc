@@ -3,8 +3,10 @@
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/expression.h>
 #include <pellicle/base/scene_file.h>
+#include <pellicle/discretization/surface_quality.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace pellicle
@@ -53,6 +55,21 @@ std::string without_full_stop(std::string text)
   while (!text.empty() && text.back() == '.')
     text.pop_back();
   return text;
+}
+
+/**
+ * The integral of K over 2 pi is the Euler characteristic. Summed cell by cell, a resolved shape is off by a few
+ * hundredths (a very coarse one by a few tenths), a mesh that has folded by more.
+ */
+void warn_of_folds(const SurfaceModel &model, RunResult &result)
+{
+  constexpr double largest_defect = 0.5;
+  const int exact                 = euler_characteristic(model.mesh());
+  for (const auto &[name, value] : result.quantities)
+    if (name == "gauss_bonnet" && std::abs(value - exact) > largest_defect)
+      result.warnings.push_back("gauss_bonnet is " + exact_text(value) + " and should be " + std::to_string(exact) +
+                                ": the mesh does not resolve this shape or has folded, and the state may be spurious. "
+                                "Use Newton/Chart = automatic, a finer mesh, or load steps.");
 }
 } // namespace
 
@@ -191,6 +208,8 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
                      " on the way to " + exact_text(to) + " (" + without_full_stop(failure) +
                      "). There may be no equilibrium nearby beyond it (a fold); a finer mesh or a smaller "
                      "Load/Smallest step may help.";
+  if (result.status == RunStatus::converged)
+    warn_of_folds(model, result);
   if (result.status == RunStatus::failed && result.quantities.empty())
   {
     // Not even the first equilibrium was found: what there is to see is where the iteration ended.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 namespace pellicle
 {
@@ -92,5 +93,18 @@ void check_start_positions(const SurfaceDiscretization &surface, const std::stri
   if (!(volume > 0. && volume < std::numeric_limits<double>::infinity()))
     throw UserError("The start shape encloses the volume " + exact_text(volume) +
                     ", which must be positive: it is inside out or folded. " + remedy);
+}
+
+int euler_characteristic(const SurfaceDiscretization &surface)
+{
+  if (surface.kind == SurfaceDiscretization::Kind::meridian)
+    return 2;
+  const std::size_t k = surface.degree, n = surface.n_local();
+  std::set<std::size_t> vertices;
+  for (std::size_t cell = 0; cell < surface.n_cells; ++cell)
+    for (const std::size_t corner : {std::size_t(0), k, n - 1 - k, n - 1})
+      vertices.insert(surface.cell_nodes[cell * n + corner]);
+  // Every edge of the quadrilaterals belongs to two of them: two edges a cell.
+  return static_cast<int>(vertices.size()) - static_cast<int>(surface.n_cells);
 }
 } // namespace pellicle

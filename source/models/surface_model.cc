@@ -31,6 +31,9 @@ std::array<double, 3> normalise(SurfaceDiscretization &discretization, const dou
     x /= length;
   return centre;
 }
+// Enough to see whether the first chart suits the shape, where there is another one to try.
+constexpr int iterations_before_fallback = 30;
+
 /** Passes iterations on with the energy in the user's units. */
 class InUsersUnits : public Observer
 {
@@ -149,14 +152,12 @@ StepResult SurfaceModel::solve(const int step, Observer &observer)
                                           : before.fields[0];
   InUsersUnits energies(observer, unit);
 
-  // Where there is something else to try, thirty iterations are enough to see whether a chart suits the shape.
-  NewtonParameters method_parameters = newton;
-  if (newton.chart == "automatic")
-    method_parameters.max_iterations = std::min(newton.max_iterations, 30);
-  const auto iterate = [&](const PositionChart chart)
+  const auto iterate = [&](const PositionChart chart, const int max_iterations)
   {
+    NewtonParameters parameters = newton;
+    parameters.max_iterations   = max_iterations;
     problem->use_chart(chart, mesh_reference);
-    Newton method(method_parameters, *solver, timing);
+    Newton method(parameters, *solver, timing);
     const NewtonResult outcome = method.solve(*problem, step, energies, result.iterations);
     result.iterations += outcome.iterations;
     result.rejected += outcome.rejected;
@@ -167,31 +168,34 @@ StepResult SurfaceModel::solve(const int step, Observer &observer)
   };
   const auto polish = [&]
   {
-    const SurfaceState graph = problem->state();
-    if (iterate(PositionChart::ale))
+    const SurfaceState graph    = problem->state();
+    const double graph_residual = result.relative_residual;
+    if (iterate(PositionChart::ale, newton.max_iterations))
       return;
     result.warnings.push_back(
         "The polishing in the ALE chart did not converge (" + result.failure +
         "): the equilibrium in the normal-graph chart is reported. More cells or load steps help.");
-    result.converged = true;
+    result.converged         = true;
+    result.failure           = "";
+    result.relative_residual = graph_residual;
     problem->set_state(graph);
   };
 
   if (newton.chart == "graph")
-    iterate(PositionChart::graph);
+    iterate(PositionChart::graph, newton.max_iterations);
   else if (newton.chart == "ale")
-    iterate(PositionChart::ale);
+    iterate(PositionChart::ale, newton.max_iterations);
   else if (newton.chart == "graph then ale")
   {
-    if (iterate(PositionChart::graph))
+    if (iterate(PositionChart::graph, newton.max_iterations))
       polish();
   }
   else if (!is_reparametrisation_invariant(problem->potentials()))
-    iterate(PositionChart::graph);
-  else if (!iterate(PositionChart::ale))
+    iterate(PositionChart::graph, newton.max_iterations);
+  else if (!iterate(PositionChart::ale, std::min(newton.max_iterations, iterations_before_fallback)))
   {
     problem->set_state(before);
-    if (iterate(PositionChart::graph))
+    if (iterate(PositionChart::graph, newton.max_iterations))
       polish();
   }
   if (!result.converged)

@@ -28,7 +28,8 @@ constexpr double stagnation_residual = 1e-6;
 void NewtonParameters::bind(ParameterSection &section)
 {
   section.integer("Maximum iterations", max_iterations, 1, 10000,
-                  "Accepted Newton iterations per chart and load step before giving up.");
+                  "Accepted Newton iterations per chart and load step before giving up; the first attempt of Chart = "
+                  "automatic gives way to the second after 30.");
   section.number("Tolerance", tolerance, Range::between(1e-14, 1e-2), dimensions::none,
                  "Norm of the residual relative to the norm of the summed absolute contributions of the cells at which "
                  "a state counts as "

@@ -119,6 +119,18 @@ class LoadSteps(VesicleTest):
         self.assert_within(run.quantities["bending_energy_over_8_pi_kappa"], 1.1896440328, 1e-6)
 
 
+class DoubtfulStates(VesicleTest):
+    LONG = ("Vesicle/Reduced volume=0.65", "Mesh/Refinements=1")
+
+    def test_folded_mesh_is_reported(self):
+        # In the normal graph the nodes of a long prolate crowd at its tips, and Newton finds a state with folded cells.
+        folded = self.solve(PROLATE, *self.LONG, "Newton/Chart=graph", name="folded")
+        self.assertGreater(abs(folded.quantities["gauss_bonnet"] - 2), 0.5)
+        self.assertTrue(any("gauss_bonnet" in w and "spurious" in w for w in folded.summary["warnings"]), folded.summary["warnings"])
+        sound = self.solve(PROLATE, *self.LONG, name="sound")
+        self.assertEqual(sound.summary["warnings"], [])
+
+
 class Failures(VesicleTest):
     def test_too_few_iterations(self):
         run = self.run_scene(PROLATE, *SMALL, "Newton/Maximum iterations=1")

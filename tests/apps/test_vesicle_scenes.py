@@ -31,14 +31,23 @@ class Scenes(VesicleTest):
 
     def test_stomatocyte(self):
         q, energy = self.reduced_energy("stomatocyte")
-        self.assert_within(energy, 1.97388824, 2e-3)
+        self.assert_within(energy, 1.97388824, 1e-4)
         self.assertGreater(energy, 1.95)  # the discocyte of the same volume has 1.90363
-        self.assertLess(abs(q["integrated_mean_curvature"] / (4 * math.pi) - 0.5314), 0.03)
-        self.assert_within(q["axis_thickness"], 0.347008, 0.05)
-        self.assert_within(q["height"], 1.565308, 0.02)
+        self.assertLess(abs(q["integrated_mean_curvature"] / (4 * math.pi) - 0.5314), 0.003)
+        self.assert_within(q["axis_thickness"], 0.347008, 0.02)
+        self.assert_within(q["height"], 1.565308, 0.005)
 
 
 class FarStart(VesicleTest):
+    def test_failed_polish_leaves_the_state_before_it(self):
+        """The long prolate in the graph chart folds; the polish fails, and what is reported is the graph's state."""
+        long = (SCENES / "prolate.prm", "Vesicle/Reduced volume=0.65")
+        run = self.solve(*long, "Newton/Chart=graph then ale", name="polished")
+        graph = self.solve(*long, "Newton/Chart=graph", name="graph")
+        self.assertTrue(any("polishing" in w for w in run.summary["warnings"]), run.summary["warnings"])
+        self.assert_within(run.quantities["bending_energy"], graph.quantities["bending_energy"], 1e-9)
+        self.assertLess(run.summary["newton"]["final_relative_residual"], 1e-8)
+
     def test_box_becomes_a_vesicle(self):
         """Twenty-four facets of a box: the way to the prolate is long, and the vesicle may lie in any direction."""
         self.write("box.msh", msh_text(*box((1.0, 1.0, 2.0))))

@@ -281,6 +281,16 @@ TEST(StartShape, CellsDifferLittleInSize)
   EXPECT_LT(clifford.largest_aspect, 3.7); // at the hole; 1.6 on the outside
 }
 
+TEST(StartShape, EulerCharacteristicCountsHandles)
+{
+  for (const unsigned int degree : {2u, 3u, 5u})
+  {
+    EXPECT_EQ(euler_characteristic(make_start_shape(start("prolate", degree, 2))), 2);
+    EXPECT_EQ(euler_characteristic(make_start_shape(start("torus", degree, 1))), 0);
+    EXPECT_EQ(euler_characteristic(make_start_shape(start("biconcave", degree, 2, true))), 2);
+  }
+}
+
 TEST(StartShape, SizeFollowsTheArea)
 {
   for (const std::string name : {"prolate", "torus", "biconcave"})

@@ -25,4 +25,10 @@ SurfaceQuality surface_quality(const SurfaceDiscretization &surface, const Nodal
  * every quadrature point, and r > 0 between the poles of a meridian. `remedy` ends the message.
  */
 void check_start_positions(const SurfaceDiscretization &surface, const std::string &remedy);
+
+/**
+ * Euler characteristic vertices - edges + cells of a closed surface: 2 without handles, 0 for a torus. A meridian
+ * stands for a surface without handles.
+ */
+int euler_characteristic(const SurfaceDiscretization &surface);
 } // namespace pellicle
