@@ -5,10 +5,13 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
 
+#include <algorithm>
+
 namespace pellicle
 {
 namespace
 {
+constexpr double two_pi = 6.283185307179586;
 constexpr std::array<double, 9> identity{{1., 0., 0., 0., 1., 0., 0., 0., 1.}};
 constexpr std::array<double, 9> in_plane{{1., 0., 0., 0., 0., 0., 0., 0., 1.}};      // diag(1, 0, 1)
 constexpr std::array<double, 9> radial_to_phi{{0., 0., 0., 1., 0., 0., 0., 0., 0.}}; // e_y e_x^T
@@ -88,8 +91,27 @@ ShapeTables make_surface_tables(const unsigned int degree, const unsigned int n_
 
 ShapeTables make_meridian_tables(const unsigned int degree, const unsigned int n_gauss_points, const bool mirror)
 {
-  const double two_pi = 6.283185307179586;
   return tabulate_gauss<1>(degree, n_gauss_points, mirror ? 2. * two_pi : two_pi);
+}
+
+ShapeTables make_edge_tables(const unsigned int degree, const unsigned int n_gauss_points)
+{
+  ShapeTables t = tabulate_gauss<1>(degree, n_gauss_points, 1.);
+  t.map.fill(identity);
+  t.identity_map = true;
+  for (const unsigned int slot : {2, 3, 4, 5})
+    std::fill(t.tables[slot].begin(), t.tables[slot].end(), 0.);
+  return t;
+}
+
+ShapeTables make_circle_tables(const int direction)
+{
+  PELLICLE_ASSERT(direction == 1 || direction == -1, "a circle is run through in one of two directions");
+  ShapeTables t  = empty_tables<1>(1, {two_pi});
+  t.tables[0][0] = 1.;
+  t.tables[1][0] = direction;
+  t.map[1]       = radial_to_phi;
+  return t;
 }
 
 ShapeTables make_tables_at(const SurfaceDiscretization::Kind kind, const unsigned int degree,

@@ -164,8 +164,9 @@ StartShape SurfaceScene::start_shape() const
 
 PotentialSet SurfaceScene::potentials(const Scales &scales) const
 {
-  const SceneTargets targets{vesicle.area / scales.of(dimensions::area),
-                             target_volume() / scales.of(dimensions::volume)};
+  SceneTargets targets;
+  targets.area   = vesicle.area / scales.of(dimensions::area);
+  targets.volume = target_volume() / scales.of(dimensions::volume);
   PotentialSet set;
   for (const auto &effect : effects)
     effect->contribute(scales, targets, set);

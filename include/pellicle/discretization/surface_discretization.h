@@ -3,6 +3,7 @@
 
 #include <pellicle/kinematics/vector3.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -54,7 +55,22 @@ struct RigidMotion
 };
 
 /**
- * A closed surface in pieces of degree k, whichever way it is described: cells, nodes, shape tables, what the nodes may
+ * A closed line made of edges of cells: a rim at which an open surface ends, or the line around a region. It runs so
+ * that the surface (the region) lies on its left seen from outside: nu = t x n, the conormal, points out of it.
+ */
+struct EdgeLoop
+{
+  std::string name;           ///< "rim", "ring", "tip", "domain boundary"
+  bool is_rim         = true; ///< the surface ends here; else it goes on
+  std::size_t n_cells = 0;    ///< one-dimensional ones; a meridian has one, a point
+  /** Nodes of edge c along the line: cell_nodes[c * tables.n_nodes + i], nodes of the surface. */
+  std::vector<std::size_t> cell_nodes;
+  /** Slots 0 (value) and 1 (derivative along the line); the others are zero. */
+  ShapeTables tables;
+};
+
+/**
+ * A surface in pieces of degree k, whichever way it is described: cells, nodes, shape tables, what the nodes may
  * do. Nothing here knows physics; the positions are a start shape and from then on a field like any other.
  */
 struct SurfaceDiscretization
@@ -79,14 +95,26 @@ struct SurfaceDiscretization
   std::vector<AdmissibleDirections> admissible; ///< one per node; empty: all nodes are free
   std::vector<RigidMotion> rigid_motions;       ///< six in R^3, one (along z) on a meridian, none with a mirror plane
   bool mirror = false;                          ///< a meridian that ends on the mirror plane z = 0
+  std::vector<EdgeLoop> edges;                  ///< rims of an open surface and lines around regions
+  std::vector<unsigned int> cell_region;        ///< index into region_names, one per cell; empty: one region
+  std::vector<std::string> region_names;        ///< the first is the membrane outside all other regions
 
   std::size_t n_local() const { return tables.n_nodes; }
+  bool is_closed() const
+  {
+    return std::none_of(edges.begin(), edges.end(), [](const EdgeLoop &edge) { return edge.is_rim; });
+  }
 };
 
 /** Shape tables of the unit cell with tensor-product Gauss points, for output and quantities as well as for assembly.
  */
 ShapeTables make_surface_tables(unsigned int degree, unsigned int n_gauss_points);
 ShapeTables make_meridian_tables(unsigned int degree, unsigned int n_gauss_points, bool mirror);
+/** Of one edge of a surface's cell: Gauss points on [0, 1], slots 0 and 1. */
+ShapeTables make_edge_tables(unsigned int degree, unsigned int n_gauss_points);
+/** Of the circle that one node of a meridian stands for, weight 2 pi. `direction` +1: the line runs along e_phi (the
+ * surface comes down to it), -1: against it. */
+ShapeTables make_circle_tables(int direction);
 
 /** Values of the cell's 1-D or tensor-product Lagrange basis (Gauss-Lobatto support points of FE_Q, lexicographic) at
  * arbitrary unit points: a table like the above with the given points (surface: xi in [0,1]^2; meridian: only the first

@@ -31,13 +31,16 @@ class DensityPotential : public Potential
 public:
   static constexpr unsigned int n_fields = std::tuple_size<std::decay_t<decltype(Density::fields)>>::value;
 
-  DensityPotential(std::string name, Density density)
+  DensityPotential(std::string name, Density density, Where where = {})
       : potential_name(std::move(name))
       , pointwise(std::move(density))
+      , part(std::move(where))
   {
   }
 
   const std::string &name() const override { return potential_name; }
+
+  const Where &where() const override { return part; }
 
   std::vector<FieldUse> fields() const override { return {Density::fields.begin(), Density::fields.end()}; }
 
@@ -151,5 +154,6 @@ private:
 
   std::string potential_name;
   Density pointwise;
+  Where part;
 };
 } // namespace pellicle

@@ -4,6 +4,7 @@
 #include <pellicle/base/parameters.h>
 #include <pellicle/base/scales.h>
 #include <pellicle/potentials/potential.h>
+#include <pellicle/potentials/reference_metric.h>
 
 #include <limits>
 #include <memory>
@@ -53,6 +54,8 @@ struct SceneTargets
 {
   double area   = 0.; ///< `Vesicle/Area`
   double volume = 0.; ///< from `Vesicle/Reduced volume`
+  /** Metric of the reference shape at every quadrature point, for elastic skins; null while a scene is only checked. */
+  std::shared_ptr<const std::vector<ReferenceMetric>> reference;
 };
 
 /**

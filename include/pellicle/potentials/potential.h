@@ -50,11 +50,25 @@ struct PointSums
   }
 };
 
+/** The part of a scene over which a potential is integrated. */
+struct Where
+{
+  enum class Part
+  {
+    surface, ///< all cells
+    region,  ///< the cells of one region
+    edge     ///< an edge loop
+  };
+  Part part = Part::surface;
+  std::string name; ///< of the region or the edge loop
+};
+
 /**
  * One term of the variational principle, seen from a cell: it only adds. A potential knows neither shape functions nor
  * unknowns.
  *
- * The value at a point is a density per unit of parametric area; the potential is its integral over the surface.
+ * The value at a point is a density per unit of parametric area (on an edge loop: of parametric length); the potential
+ * is its integral over where().
  */
 class Potential
 {
@@ -63,6 +77,13 @@ public:
 
   /** Name under which it is reported, e.g. "helfrich bending". */
   virtual const std::string &name() const = 0;
+
+  /** Where it acts. */
+  virtual const Where &where() const
+  {
+    static const Where everywhere;
+    return everywhere;
+  }
 
   /** The fields it reads, in the order of the offsets given to add(). */
   virtual std::vector<FieldUse> fields() const = 0;

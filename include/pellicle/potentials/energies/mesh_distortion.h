@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/potentials/reference_metric.h>
 #include <pellicle/potentials/surface_measures.h>
 
 #include <memory>
@@ -9,12 +10,6 @@
 
 namespace pellicle
 {
-/** Metric A_ab of a reference parametrisation at a point. */
-struct ReferenceMetric
-{
-  double A11 = 1., A12 = 0., A22 = 1.;
-};
-
 /**
  * Distortion of the mesh relative to a reference, per reference area:
  *
@@ -37,7 +32,7 @@ struct MeshDistortion
   Number density(const PointInputs<Number, 1> &inputs, const PointData &data) const
   {
     const ReferenceMetric &A  = (*reference)[data.index];
-    const double J0           = std::sqrt(A.A11 * A.A22 - A.A12 * A.A12);
+    const double J0           = A.area_element();
     const Vector3<Number> &x1 = inputs[0].d1(), &x2 = inputs[0].d2();
     const Number stretch = area_density(inputs[0]) / J0;
     const Number trace   = (A.A22 * dot(x1, x1) - 2. * A.A12 * dot(x1, x2) + A.A11 * dot(x2, x2)) / (J0 * J0);
