@@ -55,7 +55,7 @@ struct SceneTargets
   double area   = 0.; ///< `Vesicle/Area`
   double volume = 0.; ///< from `Vesicle/Reduced volume`
   /** Metric of the reference shape at every quadrature point, for elastic skins; null while a scene is only checked. */
-  std::shared_ptr<const std::vector<ReferenceMetric>> reference;
+  std::shared_ptr<const std::vector<ReferenceMetric>> reference = nullptr;
 };
 
 /**
