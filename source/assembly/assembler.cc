@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/assembler.h>
+#include <pellicle/base/exceptions.h>
 
 #include <algorithm>
 #include <numeric>
@@ -12,6 +13,18 @@ bool declares_internal(const Potential &potential)
 {
   const std::vector<FieldUse> uses = potential.fields();
   return std::any_of(uses.begin(), uses.end(), [](const FieldUse &use) { return use.role == FieldRole::internal; });
+}
+
+/** The set of cells on which a potential acts: 0 or 1 + the number of the edge loop. */
+std::size_t set_of(const SurfaceDiscretization &discretization, const Where &where)
+{
+  if (where.part != Where::Part::edge)
+    return 0;
+  const auto &edges = discretization.edges;
+  const auto found =
+      std::find_if(edges.begin(), edges.end(), [&](const EdgeLoop &edge) { return edge.name == where.name; });
+  PELLICLE_ASSERT(found != edges.end(), "a potential acts on an edge loop that this surface does not have");
+  return 1 + static_cast<std::size_t>(found - edges.begin());
 }
 } // namespace
 
@@ -40,21 +53,52 @@ Assembler::Selection Assembler::internal(const PotentialSet &set, const FieldLay
   return some;
 }
 
-Assembler::Assembler(const SurfaceDiscretization &discretization, const FieldLayout &layout,
-                     const Communicator &communicator, Selection selection)
+Assembler::Assembler(const SurfaceDiscretization &discretization, const FieldLayout &layout, const PotentialSet &set,
+                     const Communicator &communicator, const Selection &selection)
     : discretization(discretization)
     , layout(layout)
     , communicator(communicator)
-    , selection(std::move(selection))
-    , contraction(discretization.tables, layout, this->selection.fields)
+    , work(1 + discretization.edges.size())
 {
+  for (const std::size_t k : selection.energies)
+    place(*set.energies[k], {k, Term::all_regions, layout.offsets(*set.energies[k]), {}}, &Work::energies);
+  for (const std::size_t k : selection.constraints)
+  {
+    const Constraint &constraint = set.constraints[k];
+    place(*constraint.measure,
+          {k, Term::all_regions, layout.offsets(*constraint.measure),
+           constraint.self_term ? layout.offsets(*constraint.self_term) : std::vector<unsigned int>{}},
+          &Work::constraints);
+  }
+  for (std::size_t s = 0; s < work.size(); ++s)
+    if (!work[s].energies.empty() || !work[s].constraints.empty())
+      work[s].contraction = std::make_unique<Contraction>(tables_of(discretization, s), layout, selection.fields);
+  for (const Cell &cell : own_cells(discretization, communicator))
+    if (work[cell.set].contraction)
+      cells.push_back(cell);
 }
 
-void gather_inputs(const SurfaceDiscretization &discretization, const FieldLayout &layout, const FieldValues &values,
-                   const std::size_t cell, std::vector<double> &inputs)
+void Assembler::place(const Potential &potential, Term term, std::vector<Term> Work::*list)
 {
-  const ShapeTables &tables = discretization.tables;
-  const std::size_t *nodes  = discretization.cell_nodes.data() + cell * tables.n_nodes;
+  const Where &where = potential.where();
+  if (where.part == Where::Part::region)
+  {
+    const auto &names = discretization.region_names;
+    const auto found  = std::find(names.begin(), names.end(), where.name);
+    PELLICLE_ASSERT(found != names.end(), "a potential acts on a region that this surface does not have");
+    term.region = static_cast<unsigned int>(found - names.begin());
+  }
+  (work[set_of(discretization, where)].*list).push_back(std::move(term));
+}
+
+bool Assembler::acts(const Term &term, const Cell &cell) const
+{
+  return term.region == Term::all_regions || term.region == discretization.cell_region[cell.index];
+}
+
+void gather_inputs(const ShapeTables &tables, const std::size_t *nodes, const FieldLayout &layout,
+                   const FieldValues &values, std::vector<double> &inputs)
+{
   std::vector<double> one_field(std::size_t(tables.n_points) * 18);
   inputs.resize(std::size_t(tables.n_points) * layout.n_inputs());
   for (std::size_t f = 0; f < layout.fields().size(); ++f)
@@ -70,66 +114,92 @@ void gather_inputs(const SurfaceDiscretization &discretization, const FieldLayou
 TermValues Assembler::loop(const PotentialSet &set, const FieldValues &values, const std::vector<double> &multipliers,
                            const Order order, const Visitor &visitor)
 {
-  TermValues result{std::vector<double>(set.energies.size(), 0.), std::vector<double>(set.constraints.size(), 0.)};
+  TermValues result{std::vector<double>(set.energies.size(), 0.), std::vector<double>(set.constraints.size(), 0.),
+                    std::vector<double>(set.constraints.size(), 0.)};
   Element element;
   std::vector<std::vector<double>> constraint_gradients(set.constraints.size());
 
   ++counts.loops;
-  const auto [first, last] = communicator.own_range(discretization.n_cells);
-  for (std::size_t cell = first; cell < last; ++cell)
+  for (const Cell &cell : cells)
   {
     evaluate(set, values, multipliers, order, cell, result, element, constraint_gradients);
     if (visitor)
       visitor(cell, element, constraint_gradients);
   }
 
-  std::vector<double> sums = result.energies;
-  sums.insert(sums.end(), result.constraints.begin(), result.constraints.end());
+  std::vector<double> sums;
+  for (std::vector<double> *list : {&result.energies, &result.constraints, &result.compliances})
+    sums.insert(sums.end(), list->begin(), list->end());
   communicator.sum(sums);
-  std::copy_n(sums.begin(), result.energies.size(), result.energies.begin());
-  std::copy(sums.begin() + static_cast<std::ptrdiff_t>(result.energies.size()), sums.end(), result.constraints.begin());
+  auto next = sums.begin();
+  for (std::vector<double> *list : {&result.energies, &result.constraints, &result.compliances})
+    for (double &value : *list)
+      value = *next++;
   return result;
 }
 
 void Assembler::evaluate(const PotentialSet &set, const FieldValues &values, const std::vector<double> &multipliers,
-                         const Order order, const std::size_t cell, TermValues &values_of_terms, Element &element,
+                         const Order order, const Cell &cell, TermValues &values_of_terms, Element &element,
                          std::vector<std::vector<double>> &constraint_gradients)
 {
-  const ShapeTables &tables = discretization.tables;
+  const ShapeTables &tables = tables_of(discretization, cell.set);
+  Work &here                = work[cell.set];
   const auto integral       = [&](const PointSums &sums)
   { return std::inner_product(sums.value.begin(), sums.value.end(), tables.weights.begin(), 0.); };
   ++counts.cells;
-  gather_inputs(discretization, layout, values, cell, inputs);
-  const CellPoints points{cell * tables.n_points, tables.n_points, layout.n_inputs(), inputs.data()};
+  gather_inputs(tables, cell.nodes, layout, values, inputs);
+  const bool has_regions = cell.set == 0 && !discretization.cell_region.empty();
+  const CellPoints points{cell.index * tables.n_points, tables.n_points, layout.n_inputs(), inputs.data(),
+                          has_regions ? discretization.cell_region[cell.index] : 0};
   total.reset(tables.n_points, layout.n_inputs(), order);
 
   double before = 0.;
-  for (const std::size_t k : selection.energies)
+  for (const Term &term : here.energies)
   {
+    if (!acts(term, cell))
+      continue;
     ++counts.potential_calls;
-    set.energies[k]->add(points, layout.offsets(*set.energies[k]).data(), 1., order, total);
+    set.energies[term.index]->add(points, term.offsets.data(), 1., order, total);
     const double after = integral(total);
-    values_of_terms.energies[k] += after - before;
+    values_of_terms.energies[term.index] += after - before;
     before = after;
   }
-  for (const std::size_t k : selection.constraints)
+  for (std::vector<double> &gradient : constraint_gradients)
+    gradient.clear();
+  const Order at_most_gradient = std::min(order, Order::gradient);
+  for (const Term &term : here.constraints)
   {
+    if (!acts(term, cell))
+      continue;
     ++counts.potential_calls;
-    const Potential &measure                = *set.constraints[k].measure;
-    const std::vector<unsigned int> offsets = layout.offsets(measure);
-    single.reset(tables.n_points, layout.n_inputs(), std::min(order, Order::gradient));
-    measure.add(points, offsets.data(), 1., std::min(order, Order::gradient), single);
-    values_of_terms.constraints[k] += integral(single);
+    const Constraint &constraint = set.constraints[term.index];
+    const double lambda          = multipliers[term.index];
+    single.reset(tables.n_points, layout.n_inputs(), at_most_gradient);
+    constraint.measure->add(points, term.offsets.data(), 1., at_most_gradient, single);
+    const double measured = integral(single);
+    values_of_terms.constraints[term.index] += measured;
+    if (constraint.self_term)
+    {
+      // Minus one, so that a multiplier of zero still yields the compliance.
+      constraint.self_term->add(points, term.self_offsets.data(), -1., Order::value, single);
+      const double compliance = measured - integral(single);
+      values_of_terms.compliances[term.index] += compliance;
+      values_of_terms.constraints[term.index] -= lambda * compliance;
+      if (order >= Order::gradient)
+        constraint.self_term->add(points, term.self_offsets.data(), -lambda, at_most_gradient, single);
+    }
     if (order >= Order::gradient)
     {
-      contraction.gradient(single, constraint_gradients[k]);
-      measure.add(points, offsets.data(), multipliers[k], order, total);
+      here.contraction->gradient(single, constraint_gradients[term.index]);
+      constraint.measure->add(points, term.offsets.data(), lambda, order, total);
+      if (constraint.self_term)
+        constraint.self_term->add(points, term.self_offsets.data(), -0.5 * lambda * lambda, order, total);
     }
   }
-  element.n_rows = contraction.n_rows();
+  element.n_rows = here.contraction->n_rows();
   if (order >= Order::gradient)
-    contraction.gradient(total, element.gradient);
+    here.contraction->gradient(total, element.gradient);
   if (order == Order::hessian)
-    contraction.matrix(total, element.matrix);
+    here.contraction->matrix(total, element.matrix);
 }
 } // namespace pellicle

@@ -18,45 +18,46 @@ Numbering::Numbering(std::vector<NodalChart> all_charts, const std::size_t n_con
   first.resize(n_nodes * charts.size());
   for (std::size_t I = 0; I < n_nodes; ++I)
     for (std::size_t f = 0; f < charts.size(); ++f)
-    {
-      first[I * charts.size() + f] = n_nodal;
-      n_nodal += count(f, I);
-    }
+      if (charts[f].leads(I))
+      {
+        first[I * charts.size() + f] = n_nodal;
+        n_nodal += count(f, I);
+      }
+  for (std::size_t I = 0; I < n_nodes; ++I)
+    for (std::size_t f = 0; f < charts.size(); ++f)
+      if (!charts[f].leads(I))
+        first[I * charts.size() + f] = first[charts[f].leader[I] * charts.size() + f];
 }
 
 std::size_t Numbering::n_unknowns_of(const std::size_t field) const
 {
   std::size_t n = 0;
-  for (const NodalChart::Node &node : charts[field].nodes)
-    n += node.count;
+  for (std::size_t I = 0; I < charts[field].nodes.size(); ++I)
+    if (charts[field].leads(I))
+      n += charts[field].nodes[I].count;
   return n;
 }
 
 BorderedSystem::BorderedSystem(const SurfaceDiscretization &discretization, Numbering numbering,
                                const Communicator &communicator)
-    : discretization(discretization)
-    , communicator(communicator)
+    : communicator(communicator)
     , unknowns(std::move(numbering))
 {
-  std::tie(first_cell, last_cell) = communicator.own_range(discretization.n_cells);
-  make_pattern();
+  make_pattern(own_cells(discretization, communicator));
   constraint_rows.resize(unknowns.n_constraints);
 }
 
-void BorderedSystem::cell_unknowns(const std::size_t cell, std::vector<int> &list) const
+void BorderedSystem::cell_unknowns(const Cell &cell, std::vector<int> &list) const
 {
   list.clear();
-  for (std::size_t i = 0; i < discretization.n_local(); ++i)
-  {
-    const std::size_t node = discretization.cell_nodes[cell * discretization.n_local() + i];
+  for (std::size_t i = 0; i < cell.n_nodes; ++i)
     for (std::size_t f = 0; f < unknowns.n_fields(); ++f)
-      for (unsigned int j = 0; j < unknowns.count(f, node); ++j)
-        list.push_back(static_cast<int>(unknowns.first[node * unknowns.n_fields() + f] + j));
-  }
+      for (unsigned int j = 0; j < unknowns.count(f, cell.nodes[i]); ++j)
+        list.push_back(static_cast<int>(unknowns.first_of(f, cell.nodes[i]) + j));
 }
 
 // Rows of nodal unknowns couple through cells; border rows (and columns, unless the matrix is symmetric) are dense.
-void BorderedSystem::make_pattern()
+void BorderedSystem::make_pattern(const std::vector<Cell> &cells)
 {
   const bool mesh_equations = std::any_of(unknowns.charts.begin(), unknowns.charts.end(),
                                           [](const NodalChart &c) { return c.has_mesh_equations(); });
@@ -66,7 +67,7 @@ void BorderedSystem::make_pattern()
   sparse.size = n;
 
   std::vector<std::vector<int>> rows(n_nodal);
-  for (std::size_t cell = first_cell; cell < last_cell; ++cell)
+  for (const Cell &cell : cells)
   {
     cell_unknowns(cell, cell_list);
     for (const int i : cell_list)
@@ -100,7 +101,7 @@ void BorderedSystem::make_pattern()
   }
   sparse.values.assign(sparse.columns.size(), 0.);
 
-  for (std::size_t cell = first_cell; cell < last_cell; ++cell)
+  for (const Cell &cell : cells)
   {
     cell_unknowns(cell, cell_list);
     scatter_start.push_back(scatter.size());
@@ -122,20 +123,25 @@ void BorderedSystem::begin()
   contributions.assign(unknowns.n_nodal, 0.);
   for (std::vector<double> &row : constraint_rows)
     row.assign(unknowns.n_nodal, 0.);
+  mesh_row.assign(unknowns.n_nodal, false);
+  for (std::size_t f = 0; f < unknowns.n_fields(); ++f)
+    for (std::size_t I = 0; I < unknowns.charts[f].nodes.size(); ++I)
+      for (unsigned int a = 0; a < unknowns.count(f, I); ++a)
+        mesh_row[unknowns.first_of(f, I) + a] = unknowns.charts[f].nodes[I].mesh_equation[a];
 }
 
 // Z^T K Z for the cell, rows of mesh equations from the mesh energy.
-void BorderedSystem::project(const std::size_t cell, const Element &physics, const Element *mesh)
+void BorderedSystem::project(const Cell &cell, const Element &physics, const Element *mesh)
 {
-  const std::size_t n_local = discretization.n_local(), n_fields = unknowns.n_fields();
-  const std::size_t *nodes = discretization.cell_nodes.data() + cell * n_local;
+  const std::size_t n_local = cell.n_nodes, n_fields = unknowns.n_fields();
+  const std::size_t *nodes = cell.nodes;
   const std::size_t m      = cell_list.size();
   projected.assign(m * m, 0.);
+  row_times_Z.resize(3 * m);
 
   // First the columns: K Z for one row block of R^3 at a time, then the rows.
   const auto fill_rows = [&](const Element &element, const bool mesh_rows, const std::size_t n_element_fields)
   {
-    std::vector<double> row_times_Z(3 * m);
     std::size_t row = 0;
     for (std::size_t i = 0; i < n_local; ++i)
       for (std::size_t f = 0; f < n_fields; ++f)
@@ -189,66 +195,45 @@ void BorderedSystem::project(const std::size_t cell, const Element &physics, con
     fill_rows(*mesh, true, 1);
 }
 
-void BorderedSystem::add_cell(const std::size_t cell, const Element &physics,
+void BorderedSystem::add_cell(const Cell &cell, const Element &physics,
                               const std::vector<std::vector<double>> &constraint_gradients, const Element *mesh)
 {
-  const std::size_t n_local = discretization.n_local(), n_fields = unknowns.n_fields();
-  const std::size_t *nodes = discretization.cell_nodes.data() + cell * n_local;
+  add_cell_residual(cell, physics, constraint_gradients, mesh);
   cell_unknowns(cell, cell_list);
   const std::size_t m = cell_list.size();
-
   project(cell, physics, mesh);
-  const int *positions = scatter.data() + scatter_start[cell - first_cell];
+  const int *positions = scatter.data() + scatter_start[cell.own];
   for (std::size_t k = 0; k < m * m; ++k)
     if (positions[k] >= 0)
       sparse.values[positions[k]] += projected[k];
+}
 
-  const bool general = sparse.symmetry == MatrixSymmetry::general;
-  std::size_t row    = 0;
-  for (std::size_t i = 0; i < n_local; ++i)
-    for (std::size_t f = 0; f < n_fields; ++f)
-      for (unsigned int a = 0; a < unknowns.count(f, nodes[i]); ++a, ++row)
+void BorderedSystem::add_cell_residual(const Cell &cell, const Element &physics,
+                                       const std::vector<std::vector<double>> &constraint_gradients,
+                                       const Element *mesh)
+{
+  for (std::size_t i = 0; i < cell.n_nodes; ++i)
+    for (std::size_t f = 0; f < unknowns.n_fields(); ++f)
+      for (unsigned int a = 0; a < unknowns.count(f, cell.nodes[i]); ++a)
       {
-        const NodalChart::Node &node = unknowns.charts[f].nodes[nodes[i]];
-        const bool is_mesh           = node.mesh_equation[a];
-        const int unknown            = cell_list[row];
+        const NodalChart::Node &node = unknowns.charts[f].nodes[cell.nodes[i]];
+        const std::size_t unknown    = unknowns.first_of(f, cell.nodes[i]) + a;
         const auto along_z           = [&](const std::vector<double> &gradient)
         {
           double sum = 0.;
           for (unsigned int c = 0; c < 3; ++c)
-            sum += node.columns[3 * a + c] * gradient[(3 * f + c) * n_local + i];
+            sum += node.columns[3 * a + c] * gradient[(3 * f + c) * cell.n_nodes + i];
           return sum;
         };
-        PELLICLE_ASSERT(!is_mesh || mesh != nullptr, "mesh equations need a mesh energy");
-        const double r = along_z(is_mesh ? mesh->gradient : physics.gradient);
-        right[unknown] += r;
-        contributions[unknown] += std::abs(r);
-        for (std::size_t k = 0; k < unknowns.n_constraints; ++k)
+        if (!node.mesh_equation[a] || mesh != nullptr)
         {
-          const double g   = along_z(constraint_gradients[k]);
-          const int border = static_cast<int>(unknowns.n_nodal + k);
-          constraint_rows[k][unknown] += g;
-          sparse.values[sparse.row_start[border] + unknown] += g;
-          if (general && !is_mesh)
-            sparse.values[sparse.row_start[unknown + 1] - static_cast<int>(unknowns.size()) + border] += g;
+          const double r = along_z(node.mesh_equation[a] ? mesh->gradient : physics.gradient);
+          right[unknown] += r;
+          contributions[unknown] += std::abs(r);
         }
-      }
-}
-
-void BorderedSystem::add_cell_residual(const std::size_t cell, const Element &physics)
-{
-  const std::size_t n_local = discretization.n_local(), n_fields = unknowns.n_fields();
-  const std::size_t *nodes = discretization.cell_nodes.data() + cell * n_local;
-  for (std::size_t i = 0; i < n_local; ++i)
-    for (std::size_t f = 0; f < n_fields; ++f)
-      for (unsigned int a = 0; a < unknowns.count(f, nodes[i]); ++a)
-      {
-        const std::size_t unknown = unknowns.first[nodes[i] * n_fields + f] + a;
-        double r                  = 0.;
-        for (unsigned int c = 0; c < 3; ++c)
-          r += unknowns.charts[f].nodes[nodes[i]].columns[3 * a + c] * physics.gradient[(3 * f + c) * n_local + i];
-        right[unknown] += r;
-        contributions[unknown] += std::abs(r);
+        for (std::size_t k = 0; k < unknowns.n_constraints; ++k)
+          if (!constraint_gradients[k].empty())
+            constraint_rows[k][unknown] += along_z(constraint_gradients[k]);
       }
 }
 
@@ -284,8 +269,25 @@ void BorderedSystem::finish()
 {
   communicator.sum(right);
   communicator.sum(contributions);
-  for (std::vector<double> &row : constraint_rows)
-    communicator.sum(row);
+  for (std::size_t k = 0; k < unknowns.n_constraints; ++k)
+  {
+    communicator.sum(constraint_rows[k]);
+    write_border(unknowns.n_nodal + k, constraint_rows[k]);
+  }
+}
+
+// Border row, and for a general matrix the column beside it, on the first process (the sum counts). Mesh equations know
+// no multipliers.
+void BorderedSystem::write_border(const std::size_t row, const std::vector<double> &values)
+{
+  if (communicator.rank() != 0)
+    return;
+  std::copy(values.begin(), values.end(), sparse.values.begin() + sparse.row_start[row]);
+  if (sparse.symmetry == MatrixSymmetry::symmetric)
+    return;
+  for (std::size_t i = 0; i < unknowns.n_nodal; ++i)
+    if (!mesh_row[i])
+      sparse.values[sparse.row_start[i + 1] - static_cast<int>(unknowns.size()) + static_cast<int>(row)] = values[i];
 }
 
 double BorderedSystem::residual_norm() const
@@ -320,7 +322,7 @@ void BorderedSystem::restrict_vector(const std::size_t field, const NodalVectors
       double sum = 0.;
       for (unsigned int c = 0; c < 3; ++c)
         sum += unknowns.charts[field].nodes[I].columns[3 * a + c] * vector[3 * I + c];
-      result[unknowns.first[I * unknowns.n_fields() + field] + a] += sum;
+      result[unknowns.first_of(field, I) + a] += sum;
     }
 }
 
@@ -330,7 +332,7 @@ void BorderedSystem::prolongate(const std::vector<double> &u, const double facto
   for (std::size_t I = 0; I < unknowns.charts[field].nodes.size(); ++I)
     for (unsigned int a = 0; a < unknowns.count(field, I); ++a)
     {
-      const double step = factor * u[unknowns.first[I * unknowns.n_fields() + field] + a];
+      const double step = factor * u[unknowns.first_of(field, I) + a];
       for (unsigned int c = 0; c < 3; ++c)
         values[3 * I + c] += step * unknowns.charts[field].nodes[I].columns[3 * a + c];
     }

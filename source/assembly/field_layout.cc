@@ -11,7 +11,11 @@ FieldLayout::FieldLayout(const PotentialSet &set)
   for (const auto &energy : set.energies)
     declare(*energy);
   for (const Constraint &constraint : set.constraints)
+  {
     declare(*constraint.measure);
+    if (constraint.self_term)
+      declare(*constraint.self_term);
+  }
   for (Field &field : list)
   {
     field.offset = inputs;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace pellicle
 {
@@ -29,28 +30,68 @@ void append_column(NodalChart::Node &node, const Direction &d, const bool mesh_e
   node.mesh_equation[node.count++] = mesh_equation;
 }
 
-// Orthonormal completion of d within the span of the admissible directions (Gram-Schmidt, the most independent
-// candidate first).
-std::vector<Direction> tangents(const Direction &d, const std::vector<Direction> &admissible)
+// Appends mesh equations along an orthonormal completion of the node's columns within the admissible directions
+// (Gram-Schmidt, the most independent candidate first).
+void complete(NodalChart::Node &node, const std::vector<Direction> &admissible)
 {
-  std::vector<Direction> basis{d};
-  while (basis.size() < admissible.size())
+  while (node.count < admissible.size())
   {
     Direction best;
-    double best_norm = 0.;
     for (Direction candidate : admissible)
     {
-      for (const Direction &b : basis)
-        candidate -= dot(candidate, b) * b;
-      if (norm(candidate) > best_norm)
+      for (unsigned int j = 0; j < node.count; ++j)
       {
-        best      = candidate;
-        best_norm = norm(candidate);
+        const Direction column(node.columns[3 * j], node.columns[3 * j + 1], node.columns[3 * j + 2]);
+        candidate -= dot(candidate, column) * column;
+      }
+      if (norm(candidate) > norm(best))
+        best = candidate;
+    }
+    append_column(node, (1. / norm(best)) * best, true);
+  }
+}
+
+Direction direction_at(const NodalVectors &vectors, const std::size_t node)
+{
+  return {vectors[3 * node], vectors[3 * node + 1], vectors[3 * node + 2]};
+}
+
+/** Nodes of all edge loops with a tangent of the line: the mean over the edges that meet there. */
+std::map<std::size_t, Direction> line_tangents(const SurfaceDiscretization &discretization,
+                                               const NodalVectors &positions)
+{
+  std::map<std::size_t, Direction> tangents;
+  if (discretization.kind == SurfaceDiscretization::Kind::meridian)
+  {
+    for (const EdgeLoop &loop : discretization.edges)
+      tangents[loop.cell_nodes.front()] = {0., 1., 0.};
+    return tangents;
+  }
+  const std::vector<double> line = line_nodes(discretization.degree);
+  std::vector<std::array<double, 2>> sites;
+  for (const double site : line)
+    sites.push_back({{0.5 * (1. + site), 0.}});
+  const ShapeTables along = make_tables_at(SurfaceDiscretization::Kind::meridian, discretization.degree, sites);
+  for (const EdgeLoop &loop : discretization.edges)
+    for (std::size_t edge = 0; edge < loop.n_cells; ++edge)
+    {
+      const std::size_t *nodes = loop.cell_nodes.data() + edge * along.n_nodes;
+      for (unsigned int i = 0; i < along.n_nodes; ++i)
+      {
+        Direction t;
+        for (unsigned int j = 0; j < along.n_nodes; ++j)
+          t += along.tables[1][std::size_t(i) * along.n_nodes + j] * direction_at(positions, nodes[j]);
+        tangents[nodes[i]] += t;
       }
     }
-    basis.push_back((1. / best_norm) * best);
-  }
-  return {basis.begin() + 1, basis.end()};
+  return tangents;
+}
+
+/** Unit vector normal to the line and to d. */
+Direction conormal(const Direction &tangent, const Direction &d)
+{
+  const Direction nu = cross(tangent, d);
+  return (1. / norm(nu)) * nu;
 }
 } // namespace
 
@@ -71,22 +112,24 @@ NodalChart free_chart(const SurfaceDiscretization &discretization)
   return chart;
 }
 
-NodalChart graph_chart(const SurfaceDiscretization &discretization, const NodalVectors &normals)
+NodalChart graph_chart(const SurfaceDiscretization &discretization, const NodalVectors &positions,
+                       const NodalVectors &normals)
 {
   NodalChart chart;
   chart.nodes.resize(discretization.n_nodes);
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
-    append_column(chart.nodes[I], {normals[3 * I], normals[3 * I + 1], normals[3 * I + 2]}, false);
+    append_column(chart.nodes[I], direction_at(normals, I), false);
+  for (const auto &[I, t] : line_tangents(discretization, positions))
+    append_column(chart.nodes[I], conormal(t, direction_at(normals, I)), false);
   return chart;
 }
 
-NodalChart ale_chart(const SurfaceDiscretization &discretization, const NodalVectors &normals)
+NodalChart ale_chart(const SurfaceDiscretization &discretization, const NodalVectors &positions,
+                     const NodalVectors &normals)
 {
-  NodalChart chart = graph_chart(discretization, normals);
+  NodalChart chart = graph_chart(discretization, positions, normals);
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
-    for (const Direction &t :
-         tangents({normals[3 * I], normals[3 * I + 1], normals[3 * I + 2]}, admissible_directions(discretization, I)))
-      append_column(chart.nodes[I], t, true);
+    complete(chart.nodes[I], admissible_directions(discretization, I));
   return chart;
 }
 

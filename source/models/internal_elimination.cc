@@ -13,25 +13,39 @@ constexpr int max_iterations = 10;
 constexpr double tolerance   = 1e-11; // of the residual relative to the cells' contributions
 
 std::vector<NodalChart> charts_of_internal_fields(const SurfaceDiscretization &discretization,
-                                                  const FieldLayout &layout)
+                                                  const FieldLayout &layout, const NodalConditions &conditions)
 {
   std::vector<NodalChart> charts;
   for (const Field &field : layout.fields())
+  {
     charts.push_back(field.role == FieldRole::internal ? free_chart(discretization) : NodalChart{});
+    if (field.role == FieldRole::internal)
+      apply_conditions(conditions, field.name, charts.back());
+  }
   return charts;
 }
 } // namespace
 
 InternalElimination::InternalElimination(const SurfaceDiscretization &discretization, const FieldLayout &layout,
-                                         const PotentialSet &set, const Communicator &communicator,
-                                         const std::string &linear_solver, Timing &timing)
+                                         const PotentialSet &set, const NodalConditions &conditions,
+                                         const Communicator &communicator, const std::string &linear_solver,
+                                         Timing &timing)
     : layout(layout)
-    , assembler(discretization, layout, communicator, Assembler::internal(set, layout))
-    , system(discretization, Numbering(charts_of_internal_fields(discretization, layout), 0, 0), communicator)
+    , assembler(discretization, layout, set, communicator, Assembler::internal(set, layout))
+    , system(discretization, Numbering(charts_of_internal_fields(discretization, layout, conditions), 0, 0),
+             communicator)
     , n_unknowns(system.numbering().size())
     , solver(make_linear_solver(linear_solver))
     , timing(timing)
 {
+}
+
+int InternalElimination::negative_eigenvalues() const
+{
+  if (n_unknowns == 0)
+    return 0;
+  const std::optional<Inertia> inertia = solver->inertia();
+  return inertia ? inertia->negative : static_cast<int>(n_unknowns);
 }
 
 double InternalElimination::relative_residual(const PotentialSet &set, const std::vector<double> &multipliers,
@@ -40,12 +54,12 @@ double InternalElimination::relative_residual(const PotentialSet &set, const std
   const Timing::Scope scope(timing, "assembly");
   system.begin();
   assembler.loop(set, values, multipliers, order,
-                 [&](const std::size_t cell, const Element &element, const auto & /*constraint_gradients*/)
+                 [&](const Cell &cell, const Element &element, const auto &constraint_gradients)
                  {
                    if (order == Order::hessian)
-                     system.add_cell(cell, element, {}, nullptr);
+                     system.add_cell(cell, element, constraint_gradients, nullptr);
                    else
-                     system.add_cell_residual(cell, element);
+                     system.add_cell_residual(cell, element, constraint_gradients, nullptr);
                  });
   system.finish();
   return system.residual_norm() / system.contribution_norm();

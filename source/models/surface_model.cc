@@ -59,16 +59,14 @@ private:
 SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &communicator, Timing &timing)
     : newton(scene.newton)
     , unit(scene.scales())
-    , communicator(communicator)
     , timing(timing)
     , discretization(make_start_shape(scene.start_shape()))
 {
-  centroid         = normalise(discretization, unit.length);
-  bending_rigidity = scene.bending_rigidity() / unit.energy;
+  centroid = normalise(discretization, unit.length);
   add_node_noise(scene.vesicle);
   set_blas_threads(newton.threads);
-  problem = std::make_unique<SurfaceProblem>(discretization, scene.potentials(unit), communicator, newton.linear_solver,
-                                             timing);
+  problem = std::make_unique<SurfaceProblem>(discretization, potentials_of(scene), NodalConditions{}, communicator,
+                                             newton.linear_solver, timing);
   solver  = make_linear_solver(newton.linear_solver);
   check_constraints_are_independent();
 }
@@ -101,34 +99,48 @@ void SurfaceModel::add_node_noise(const VesicleParameters &vesicle)
   }
 }
 
-// On a sphere dA = (2/R) dV: the two rows of the border would be multiples of each other.
+// On a sphere dA = (2/R) dV: the two rows of the border would be multiples of each other. What counts is motion along
+// the normal, and of edge loops all of it.
 void SurfaceModel::check_constraints_are_independent()
 {
   constexpr double smallest_sine_squared = 1e-6;
   const auto &constraints                = problem->potentials().constraints;
   std::vector<std::size_t> hard;
   for (std::size_t k = 0; k < constraints.size(); ++k)
-    if (!std::isfinite(constraints[k].stiffness))
+    if (!std::isfinite(constraints[k].stiffness) && !constraints[k].self_term)
       hard.push_back(k);
   if (hard.size() < 2)
     return;
-  problem->use_chart(PositionChart::graph, discretization.positions);
-  problem->linearize();
-  for (std::size_t a = 0; a < hard.size(); ++a)
-    for (std::size_t b = a + 1; b < hard.size(); ++b)
+  const std::vector<NodalVectors> gradients = problem->nodal_forces().constraints;
+  const NodalVectors normals                = nodal_normals(discretization, discretization.positions);
+  std::vector<bool> on_edge(discretization.n_nodes, false);
+  for (const EdgeLoop &loop : discretization.edges)
+    for (const std::size_t node : loop.cell_nodes)
+      on_edge[node] = true;
+  const auto product = [&](const NodalVectors &a, const NodalVectors &b)
+  {
+    double sum = 0.;
+    for (std::size_t I = 0; I < discretization.n_nodes; ++I)
     {
-      const std::vector<double> &ga = problem->constraint_gradient(hard[a]),
-                                &gb = problem->constraint_gradient(hard[b]);
-      double aa = 0., ab = 0., bb = 0.;
-      for (std::size_t i = 0; i < ga.size(); ++i)
+      double full = 0., a_n = 0., b_n = 0.;
+      for (unsigned int c = 0; c < 3; ++c)
       {
-        aa += ga[i] * ga[i];
-        ab += ga[i] * gb[i];
-        bb += gb[i] * gb[i];
+        full += a[3 * I + c] * b[3 * I + c];
+        a_n += a[3 * I + c] * normals[3 * I + c];
+        b_n += b[3 * I + c] * normals[3 * I + c];
       }
-      if (1. - ab * ab / (aa * bb) < smallest_sine_squared)
-        throw UserError("The start shape is a sphere: " + constraints[hard[a]].measure->name() + " and " +
-                        constraints[hard[b]].measure->name() +
+      sum += on_edge[I] ? full : a_n * b_n;
+    }
+    return sum;
+  };
+  for (std::size_t i = 0; i < hard.size(); ++i)
+    for (std::size_t j = i + 1; j < hard.size(); ++j)
+    {
+      const NodalVectors &a = gradients[hard[i]], &b = gradients[hard[j]];
+      const double ab = product(a, b);
+      if (1. - ab * ab / (product(a, a) * product(b, b)) < smallest_sine_squared)
+        throw UserError("The start shape is a sphere: " + constraints[hard[i]].measure->name() + " and " +
+                        constraints[hard[j]].measure->name() +
                         " have parallel gradients there, so their multipliers are not determined. Start slightly off "
                         "the sphere, for example with "
                         "Vesicle/Start shape = prolate or ellipsoid with Semi axes = 1, 1, 1.02, or drop one of the "
@@ -138,9 +150,14 @@ void SurfaceModel::check_constraints_are_independent()
 
 void SurfaceModel::update(const SurfaceScene &scene)
 {
-  newton           = scene.newton;
-  bending_rigidity = scene.bending_rigidity() / unit.energy;
-  problem->set_potentials(scene.potentials(unit));
+  newton = scene.newton;
+  problem->set_potentials(potentials_of(scene));
+}
+
+PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
+{
+  targets = scene.targets(unit);
+  return scene.potentials(unit, targets);
 }
 
 StepResult SurfaceModel::solve(const int step, Observer &observer)
@@ -191,7 +208,7 @@ StepResult SurfaceModel::solve(const int step, Observer &observer)
       polish();
   }
   else if (!is_reparametrisation_invariant(problem->potentials()))
-    iterate(PositionChart::graph, newton.max_iterations);
+    iterate(PositionChart::material, newton.max_iterations);
   else if (!iterate(PositionChart::ale, std::min(newton.max_iterations, iterations_before_fallback)))
   {
     problem->set_state(before);

@@ -66,15 +66,25 @@ std::vector<ReferenceMetric> reference_metric(const SurfaceDiscretization &discr
   return metric;
 }
 
+double energy_of_self_terms(const TermValues &values, const std::vector<double> &multipliers)
+{
+  double sum = 0.;
+  for (std::size_t k = 0; k < multipliers.size(); ++k)
+    sum += 0.5 * multipliers[k] * multipliers[k] * values.compliances[k];
+  return sum;
+}
+
 SurfaceProblem::SurfaceProblem(const SurfaceDiscretization &discretization, PotentialSet potential_set,
-                               const Communicator &communicator, std::string linear_solver, Timing &timing)
+                               NodalConditions nodal_conditions, const Communicator &communicator,
+                               std::string linear_solver, Timing &timing)
     : discretization(discretization)
     , set(std::move(potential_set))
+    , conditions(std::move(nodal_conditions))
     , communicator(communicator)
     , timing(timing)
     , field_layout(set)
-    , assembler(discretization, field_layout, communicator, Assembler::everything(set, field_layout))
-    , elimination(discretization, field_layout, set, communicator, linear_solver, timing)
+    , assembler(discretization, field_layout, set, communicator, Assembler::everything(set, field_layout))
+    , elimination(discretization, field_layout, set, conditions, communicator, linear_solver, timing)
 {
   SurfaceState start;
   for (const Field &field : field_layout.fields())
@@ -97,30 +107,29 @@ void SurfaceProblem::set_state(SurfaceState state)
     throw SolveError("The equations of the internal fields (moment) cannot be solved on this shape: a cell is "
                      "degenerate. Refine the mesh, lower its "
                      "degree or give a better start shape.");
-  current_values = evaluate(current.fields);
+  current_values = evaluate(current);
 }
 
 void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors &mesh_reference)
 {
   chart = new_chart;
   current.rigid_reactions.assign(discretization.rigid_motions.size(), 0.);
+  if (chart != PositionChart::material && !is_reparametrisation_invariant(set))
+    throw UserError("Newton/Chart = ale and graph keep the nodes from following tangential forces, but a listed effect "
+                    "acts tangentially (it refers to material points). Use Newton/Chart = automatic.");
   if (chart == PositionChart::ale)
   {
-    if (!is_reparametrisation_invariant(set))
-      throw UserError("Newton/Chart = ale replaces tangential equilibrium by mesh equations, but a listed effect acts "
-                      "tangentially (its coefficients or "
-                      "references are attached to material points). Use Newton/Chart = graph.");
     mesh_set = {};
     mesh_set.energies.push_back(make_mesh_distortion(reference_metric(discretization, mesh_reference)));
     mesh_layout    = std::make_unique<FieldLayout>(mesh_set);
-    mesh_assembler = std::make_unique<Assembler>(discretization, *mesh_layout, communicator,
+    mesh_assembler = std::make_unique<Assembler>(discretization, *mesh_layout, mesh_set, communicator,
                                                  Assembler::everything(mesh_set, *mesh_layout));
   }
 
   system = std::make_unique<BorderedSystem>(
       discretization, Numbering(charts_here(), set.constraints.size(), discretization.rigid_motions.size()),
       communicator);
-  recentre_chart();
+  renew_gauge();
 }
 
 std::vector<NodalChart> SurfaceProblem::charts_here() const
@@ -128,16 +137,19 @@ std::vector<NodalChart> SurfaceProblem::charts_here() const
   const NodalVectors normals = nodal_normals(discretization, current.fields[0]);
   std::vector<NodalChart> charts;
   for (const Field &field : field_layout.fields())
-    charts.push_back(field.name != "position"        ? free_chart(discretization)
-                     : chart == PositionChart::graph ? graph_chart(discretization, normals)
-                                                     : ale_chart(discretization, normals));
+  {
+    const bool everything = field.name != "position" || chart == PositionChart::material;
+    charts.push_back(everything                      ? free_chart(discretization)
+                     : chart == PositionChart::graph ? graph_chart(discretization, current.fields[0], normals)
+                                                     : ale_chart(discretization, current.fields[0], normals));
+    apply_conditions(conditions, field.name, charts.back());
+  }
   return charts;
 }
 
-// Normals, weights and rigid motions of the present shape. While a solve converges quadratically they stay as they are.
-void SurfaceProblem::recentre_chart()
+// Weights and rigid motions of the present shape.
+void SurfaceProblem::renew_gauge()
 {
-  system->set_charts(charts_here());
   node_areas       = nodal_areas(discretization, current.fields[0]);
   rigid_directions = weighted_rigid_motions(discretization, current.fields[0], node_areas);
   moved_in_chart   = 0.;
@@ -156,26 +168,52 @@ double SurfaceProblem::constraint_residual(const std::size_t k, const TermValues
   return values.constraints[k] - set.constraints[k].target - lambda / set.constraints[k].stiffness;
 }
 
+SurfaceProblem::NodalForces SurfaceProblem::nodal_forces() const
+{
+  const Timing::Scope scope(timing, "assembly");
+  const std::size_t n = 3 * discretization.n_nodes;
+  NodalForces forces{NodalVectors(n, 0.), std::vector<NodalVectors>(set.constraints.size(), NodalVectors(n, 0.))};
+  const auto add = [](const Cell &cell, const std::vector<double> &gradient, NodalVectors &sum)
+  {
+    for (unsigned int c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < cell.n_nodes; ++i)
+        sum[3 * cell.nodes[i] + c] += gradient[c * cell.n_nodes + i]; // the position is the first field
+  };
+  assembler.loop(set, current.fields, current.multipliers, Order::gradient,
+                 [&](const Cell &cell, const Element &element, const auto &constraint_gradients)
+                 {
+                   add(cell, element.gradient, forces.total);
+                   for (std::size_t k = 0; k < forces.constraints.size(); ++k)
+                     if (!constraint_gradients[k].empty())
+                       add(cell, constraint_gradients[k], forces.constraints[k]);
+                 });
+  communicator.sum(forces.total);
+  for (NodalVectors &gradient : forces.constraints)
+    communicator.sum(gradient);
+  return forces;
+}
+
 void SurfaceProblem::linearize()
 {
   const Timing::Scope scope(timing, "assembly");
   system->begin();
-  TermValues mesh_values{{0.}, {}};
+  TermValues mesh_values{{0.}, {}, {}};
   Element mesh_element;
   std::vector<std::vector<double>> no_constraints;
   const bool with_mesh          = chart == PositionChart::ale;
   const FieldValues mesh_fields = with_mesh ? FieldValues{current.fields[0]} : FieldValues{};
   current_values =
       assembler.loop(set, current.fields, current.multipliers, Order::hessian,
-                     [&](const std::size_t cell, const Element &element, const auto &constraint_gradients)
+                     [&](const Cell &cell, const Element &element, const auto &constraint_gradients)
                      {
-                       if (with_mesh)
+                       const bool has_mesh = with_mesh && cell.set == 0;
+                       if (has_mesh)
                          mesh_assembler->evaluate(mesh_set, mesh_fields, {}, Order::hessian, cell, mesh_values,
                                                   mesh_element, no_constraints);
-                       system->add_cell(cell, element, constraint_gradients, with_mesh ? &mesh_element : nullptr);
+                       system->add_cell(cell, element, constraint_gradients, has_mesh ? &mesh_element : nullptr);
                      });
   for (std::size_t k = 0; k < set.constraints.size(); ++k)
-    system->set_constraint(k, 1. / set.constraints[k].stiffness,
+    system->set_constraint(k, 1. / set.constraints[k].stiffness + current_values.compliances[k],
                            constraint_residual(k, current_values, current.multipliers[k]));
   for (std::size_t k = 0; k < rigid_directions.size(); ++k)
     system->set_rigid_motion(k, rigid_directions[k], 1. / rigid_rho, current.rigid_reactions[k]);
@@ -189,10 +227,10 @@ double SurfaceProblem::relative_residual() const
 
 double SurfaceProblem::constraint_violation() const
 {
-  double largest = 0.;
+  double largest = 0.; // targets far below one, in internal units, are held absolutely
   for (std::size_t k = 0; k < set.constraints.size(); ++k)
     largest = std::max(largest, std::abs(constraint_residual(k, current_values, current.multipliers[k])) /
-                                    std::abs(set.constraints[k].target));
+                                    std::max(1., std::abs(set.constraints[k].target)));
   return largest;
 }
 
@@ -202,18 +240,14 @@ void SurfaceProblem::add_drag(const double zeta)
   std::vector<double> weights(numbering.n_nodal, 0.);
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
     for (unsigned int a = 0; a < numbering.count(0, I); ++a)
-      weights[numbering.first[I * numbering.n_fields()] + a] = node_areas[I];
+      weights[numbering.first_of(0, I) + a] += node_areas[I];
   system->add_to_diagonal(weights, zeta);
 }
 
 int SurfaceProblem::expected_negative_pivots() const
 {
   const Numbering &numbering = system->numbering();
-  std::size_t n              = numbering.n_constraints + numbering.n_rigid;
-  for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
-    if (field_layout.fields()[f].role == FieldRole::internal)
-      n += numbering.n_unknowns_of(f);
-  return static_cast<int>(n);
+  return elimination.negative_eigenvalues() + static_cast<int>(numbering.n_constraints + numbering.n_rigid);
 }
 
 std::vector<double> SurfaceProblem::full_step_multipliers(const std::vector<double> &direction) const
@@ -224,11 +258,13 @@ std::vector<double> SurfaceProblem::full_step_multipliers(const std::vector<doub
   return multipliers;
 }
 
-// E + sum lambda_1 (g - g0) + (c/2) (g - g0)^2; a constraint of finite stiffness is an energy of its own.
-double SurfaceProblem::merit_of(const TermValues &values, const std::vector<double> &direction) const
+// E + sum lambda_1 (g - g0) + (c/2) (g - g0)^2; a constraint of finite stiffness is an energy of its own. The values
+// belong to a state with multipliers `of_state`.
+double SurfaceProblem::merit_of(const TermValues &values, const std::vector<double> &of_state,
+                                const std::vector<double> &direction) const
 {
   const std::vector<double> multipliers = full_step_multipliers(direction);
-  double merit                          = 0.;
+  double merit                          = energy_of_self_terms(values, of_state);
   for (const double energy : values.energies)
     merit += energy;
   for (std::size_t k = 0; k < multipliers.size(); ++k)
@@ -243,7 +279,7 @@ double SurfaceProblem::merit_of(const TermValues &values, const std::vector<doub
 
 double SurfaceProblem::merit(const std::vector<double> &direction) const
 {
-  return merit_of(current_values, direction);
+  return merit_of(current_values, current.multipliers, direction);
 }
 
 double SurfaceProblem::merit_slope(const std::vector<double> &direction) const
@@ -262,7 +298,8 @@ double SurfaceProblem::merit_slope(const std::vector<double> &direction) const
     const double factor          = std::isfinite(constraint.stiffness)
                                        ? constraint.stiffness * violation - current.multipliers[k]
                                        : multipliers[k] - current.multipliers[k] + 2. * merit_penalty * violation;
-    double along                 = 0.;
+    // The internal fields' share of the direction answers to the new multiplier as well, by -r: taken out again.
+    double along = current_values.compliances[k] * (current.multipliers[k] - multipliers[k]);
     for (std::size_t i = 0; i < n; ++i)
       along += system->constraint_gradient(k)[i] * direction[i];
     slope += factor * along;
@@ -270,10 +307,10 @@ double SurfaceProblem::merit_slope(const std::vector<double> &direction) const
   return slope;
 }
 
-TermValues SurfaceProblem::evaluate(const FieldValues &fields) const
+TermValues SurfaceProblem::evaluate(const SurfaceState &state) const
 {
   const Timing::Scope scope(timing, "assembly");
-  return assembler.loop(set, fields, current.multipliers, Order::value);
+  return assembler.loop(set, state.fields, state.multipliers, Order::value);
 }
 
 double SurfaceProblem::try_step(const std::vector<double> &direction, const double length)
@@ -286,8 +323,8 @@ double SurfaceProblem::try_step(const std::vector<double> &direction, const doub
     trial.rigid_reactions[k] += direction[system->numbering().n_nodal + trial.multipliers.size() + k];
   if (!elimination.empty() && !elimination.solve(set, trial.multipliers, trial.fields))
     return std::numeric_limits<double>::infinity();
-  trial_values = evaluate(trial.fields);
-  return merit_of(trial_values, direction);
+  trial_values = evaluate(trial);
+  return merit_of(trial_values, trial.multipliers, direction);
 }
 
 void SurfaceProblem::accept_trial()
@@ -299,7 +336,10 @@ void SurfaceProblem::accept_trial()
   current        = trial;
   current_values = trial_values;
   if (moved_in_chart > chart_reach)
-    recentre_chart();
+  {
+    system->set_charts(charts_here());
+    renew_gauge();
+  }
 }
 
 double SurfaceProblem::displacement(const std::vector<double> &direction) const
@@ -319,7 +359,7 @@ double SurfaceProblem::displacement(const std::vector<double> &direction) const
 
 double SurfaceProblem::energy() const
 {
-  double sum = 0.;
+  double sum = energy_of_self_terms(current_values, current.multipliers);
   for (const double energy : current_values.energies)
     sum += energy;
   return sum;

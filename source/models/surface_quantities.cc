@@ -9,10 +9,71 @@
 
 namespace pellicle
 {
+namespace
+{
+constexpr double pi = 3.141592653589793;
+
+/** "surface tension" -> "surface_tension_energy". */
+std::string energy_quantity(const std::string &potential)
+{
+  if (potential == "helfrich bending")
+    return "bending_energy";
+  std::string name = potential + "_energy";
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+/** Adds to the quantity of that name, or appends it. */
+template <typename Quantity>
+void add_to(std::vector<Quantity> &list, const Quantity &quantity)
+{
+  const auto same = std::find_if(list.begin(), list.end(), [&](const Quantity &q) { return q.name == quantity.name; });
+  if (same != list.end())
+    same->value += quantity.value;
+  else
+    list.push_back(quantity);
+}
+} // namespace
+
+// Potentials of one name are one energy (bending on several regions). Constraints of curvature take their share of the
+// bending energy by the moment's shift, and some constraints of finite stiffness are energies themselves.
+std::vector<NamedQuantity> SurfaceModel::energies() const
+{
+  const PotentialSet &set  = problem->potentials();
+  const TermValues &values = problem->values();
+  std::vector<NamedQuantity> list;
+  for (std::size_t k = 0; k < set.energies.size(); ++k)
+    add_to(list, {energy_quantity(set.energies[k]->name()), values.energies[k], dimensions::energy});
+  const double shift = energy_of_self_terms(values, problem->state().multipliers);
+  if (shift != 0.)
+    add_to(list, {"bending_energy", shift, dimensions::energy});
+  for (std::size_t k = 0; k < set.constraints.size(); ++k)
+    if (const Constraint &constraint = set.constraints[k]; !constraint.energy.empty())
+    {
+      const double difference = values.constraints[k] - constraint.target;
+      add_to(list, {constraint.energy, 0.5 * constraint.stiffness * difference * difference, dimensions::energy});
+    }
+  return list;
+}
+
+// Tension and pressure: prescribed, or multiplier of a constraint, or (with a finite stiffness) the sum of both.
+std::vector<NamedQuantity> SurfaceModel::forces() const
+{
+  const PotentialSet &set         = problem->potentials();
+  std::vector<NamedQuantity> list = set.prescribed;
+  for (std::size_t k = 0; k < set.constraints.size(); ++k)
+  {
+    const Constraint &constraint = set.constraints[k];
+    add_to(list, {constraint.multiplier,
+                  constraint.multiplier_sign * problem->state().multipliers[k],
+                  {1 - constraint.dimension.energy, -constraint.dimension.length}});
+  }
+  return list;
+}
+
 std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
 {
-  const SurfaceState &state      = problem->state();
-  const NodalVectors &positions  = state.fields[0];
+  const NodalVectors &positions  = problem->state().fields[0];
   const ShapeMeasures shape      = measure_shape(discretization, positions);
   const NodalCurvature curvature = nodal_curvature(discretization, positions);
 
@@ -20,32 +81,22 @@ std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
   const auto report = [&](const std::string &name, const double value, const Dimension dimension)
   { list.emplace_back(name, value * unit.of(dimension)); };
   report("area", shape.area, dimensions::area);
-  report("volume", shape.volume, dimensions::volume);
-  report("reduced_volume", shape.reduced_volume, dimensions::none);
-  const PotentialSet &set = problem->potentials();
-  for (std::size_t k = 0; k < set.energies.size(); ++k)
-    if (set.energies[k]->name() == "helfrich bending")
-    {
-      const double energy = problem->values().energies[k];
-      report("bending_energy", energy, dimensions::energy);
-      report("bending_energy_over_8_pi_kappa", energy / (8. * 3.141592653589793 * bending_rigidity), dimensions::none);
-    }
-  report("total_energy", problem->energy(), dimensions::energy);
-  // Tension and pressure: prescribed, or multiplier of a constraint, or (with a finite stiffness) the sum of both.
-  std::vector<PrescribedQuantity> forces = set.prescribed;
-  for (std::size_t k = 0; k < set.constraints.size(); ++k)
+  if (discretization.is_closed())
   {
-    const Constraint &constraint = set.constraints[k];
-    const double multiplier      = constraint.multiplier_sign * state.multipliers[k];
-    const auto same              = std::find_if(forces.begin(), forces.end(),
-                                                [&](const PrescribedQuantity &f) { return f.name == constraint.multiplier; });
-    if (same != forces.end())
-      same->value += multiplier;
-    else
-      forces.push_back(
-          {constraint.multiplier, multiplier, {1 - constraint.dimension.energy, -constraint.dimension.length}});
+    report("volume", shape.volume, dimensions::volume);
+    report("reduced_volume", shape.reduced_volume, dimensions::none);
   }
-  for (const PrescribedQuantity &force : forces)
+  double total = 0.;
+  for (const NamedQuantity &energy : energies())
+  {
+    report(energy.name, energy.value, energy.dimension);
+    if (energy.name == "bending_energy")
+      report("bending_energy_over_8_pi_kappa", energy.value / (8. * pi * targets.bending[0].rigidity),
+             dimensions::none);
+    total += energy.value;
+  }
+  report("total_energy", total, dimensions::energy);
+  for (const NamedQuantity &force : forces())
     report(force.name, force.value, force.dimension);
   report("integrated_mean_curvature", integrated_mean_curvature(discretization, positions, curvature.curvature_vector),
          dimensions::length);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/models/surface_scene.h>
-#include <pellicle/potentials/energies/helfrich_bending.h>
 
 #include <algorithm>
 #include <cmath>
@@ -108,8 +107,8 @@ void SurfaceScene::check() const
       load.parameter == "Vesicle/Area")
     throw UserError("Load/Parameter = " + load.parameter +
                     " cannot change during a run: it shapes the mesh, the scale or the run itself.");
-  const PotentialSet set = potentials(Scales{});
-  for (const PrescribedQuantity &prescribed : set.prescribed)
+  const PotentialSet set = potentials(Scales{}, targets(Scales{}));
+  for (const NamedQuantity &prescribed : set.prescribed)
     for (const Constraint &constraint : set.constraints)
       if (constraint.multiplier == prescribed.name && !std::isfinite(constraint.stiffness))
         throw UserError("The list Effects prescribes the " + prescribed.name + " and holds the " + constraint.quantity +
@@ -133,14 +132,6 @@ Scales SurfaceScene::scales() const
   return scales;
 }
 
-double SurfaceScene::bending_rigidity() const
-{
-  for (const auto &effect : effects)
-    if (const auto *bending = dynamic_cast<const HelfrichBendingEffect *>(effect.get()))
-      return bending->parameters.bending_rigidity;
-  return 0.;
-}
-
 double SurfaceScene::target_volume() const
 {
   return vesicle.reduced_volume * 4. * pi / 3. * std::pow(vesicle.area / (4. * pi), 1.5);
@@ -162,11 +153,18 @@ StartShape SurfaceScene::start_shape() const
   return shape;
 }
 
-PotentialSet SurfaceScene::potentials(const Scales &scales) const
+SceneTargets SurfaceScene::targets(const Scales &scales) const
 {
   SceneTargets targets;
   targets.area   = vesicle.area / scales.of(dimensions::area);
   targets.volume = target_volume() / scales.of(dimensions::volume);
+  for (const auto &effect : effects)
+    effect->prepare(scales, targets);
+  return targets;
+}
+
+PotentialSet SurfaceScene::potentials(const Scales &scales, const SceneTargets &targets) const
+{
   PotentialSet set;
   for (const auto &effect : effects)
     effect->contribute(scales, targets, set);

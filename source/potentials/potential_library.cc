@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/potentials/constraints/bilayer_curvature.h>
 #include <pellicle/potentials/constraints/enclosed_volume.h>
 #include <pellicle/potentials/constraints/total_area.h>
 #include <pellicle/potentials/energies/helfrich_bending.h>
@@ -16,9 +17,17 @@ EffectLibrary standard_effects()
   library.add("helfrich bending", [] { return std::make_unique<HelfrichBendingEffect>(); });
   library.add("area constraint", [] { return std::make_unique<AreaConstraintEffect>(); });
   library.add("volume constraint", [] { return std::make_unique<VolumeConstraintEffect>(); });
+  library.add("bilayer coupling", [] { return std::make_unique<BilayerCouplingEffect>(); });
+  library.add("area difference elasticity", [] { return std::make_unique<AreaDifferenceElasticityEffect>(); });
   library.add("surface tension", [] { return std::make_unique<SurfaceTensionEffect>(); });
   library.add("pressure", [] { return std::make_unique<PressureEffect>(); });
   return library;
+}
+
+const std::string &region_name(const std::size_t region)
+{
+  static const std::vector<std::string> names{"membrane", "domain"};
+  return names.at(region);
 }
 
 std::string section_name(const std::string &effect_name)

@@ -36,10 +36,10 @@ TEST(Contraction, EqualsAPlainLoop)
     std::vector<double> inputs;
     lagrangian.assembler.loop(
         set, fields, {}, Order::hessian,
-        [&](const std::size_t cell, const Element &element, const auto &)
+        [&](const Cell &cell, const Element &element, const auto &)
         {
           ASSERT_EQ(element.n_rows, n_rows);
-          gather_inputs(surface, lagrangian.layout, fields, cell, inputs);
+          gather_inputs(tables, cell.nodes, lagrangian.layout, fields, inputs);
           std::vector<double> gradient(n_rows, 0.), matrix(n_rows * n_rows, 0.);
           for (unsigned int q = 0; q < tables.n_points; ++q)
           {
@@ -84,7 +84,7 @@ TEST(Assembler, WhatIsNotListedCostsNothing)
   Timing timing;
   const auto problem_with = [&](const std::vector<std::string> &effects)
   {
-    return SurfaceProblem(surface, make_surface_scene(standard_effects(), effects, {}).potentials(Scales{}),
+    return SurfaceProblem(surface, make_surface_scene(standard_effects(), effects, {}).potentials(Scales{}), {},
                           communicator, "mumps", timing);
   };
 
@@ -208,7 +208,9 @@ void check_bordered_system(const SurfaceDiscretization &surface, const bool ale,
   const NodalVectors normals = nodal_normals(surface, fields[0]);
   BorderedSystem system(
       surface,
-      Numbering({ale ? ale_chart(surface, normals) : graph_chart(surface, normals), free_chart(surface)}, 2, 1),
+      Numbering({ale ? ale_chart(surface, fields[0], normals) : graph_chart(surface, fields[0], normals),
+                 free_chart(surface)},
+                2, 1),
       physics.communicator);
   const Numbering &numbering = system.numbering();
   const std::size_t n = numbering.n_nodal, m = 3 * surface.n_nodes;
@@ -218,12 +220,12 @@ void check_bordered_system(const SurfaceDiscretization &surface, const bool ale,
   Dense K(2 * m, std::vector<double>(2 * m, 0.)),
       K_mesh = K, gradient(5, std::vector<double>(2 * m, 0.)); // r, mesh r, g0, g1, rigid
   system.begin();
-  TermValues mesh_values{{0.}, {}};
+  TermValues mesh_values{{0.}, {}, {}};
   Element mesh_element;
   std::vector<std::vector<double>> none;
   physics.assembler.loop(
       physics.set, fields, physics.multipliers, Order::hessian,
-      [&](const std::size_t cell, const Element &element, const auto &g)
+      [&](const Cell &cell, const Element &element, const auto &g)
       {
         mesh.assembler.evaluate(mesh_set, {fields[0]}, {}, Order::hessian, cell, mesh_values, mesh_element, none);
         system.add_cell(cell, element, g, ale ? &mesh_element : nullptr);
@@ -338,7 +340,7 @@ TEST(BorderedSystem, AleColumnsAreOrthonormal)
 {
   for (const auto &[name, surface] : small_surfaces())
   {
-    const NodalChart chart = ale_chart(surface, nodal_normals(surface, surface.positions));
+    const NodalChart chart = ale_chart(surface, surface.positions, nodal_normals(surface, surface.positions));
     for (std::size_t I = 0; I < surface.n_nodes; ++I)
     {
       const NodalChart::Node &node = chart.nodes[I];

@@ -90,7 +90,7 @@ public:
       : surface(discretization)
       , set(std::move(potentials))
       , layout(set)
-      , assembler(surface, layout, communicator, Assembler::everything(set, layout))
+      , assembler(surface, layout, set, communicator, Assembler::everything(set, layout))
       , multipliers(set.constraints.size())
   {
     for (std::size_t k = 0; k < multipliers.size(); ++k)
@@ -129,7 +129,7 @@ public:
   {
     FieldValues result(fields.size(), NodalVectors(3 * surface.n_nodes, 0.));
     assembler.loop(set, fields, multipliers, Order::gradient,
-                   [&](const std::size_t cell, const Element &element, const auto &)
+                   [&](const Cell &cell, const Element &element, const auto &)
                    {
                      for_rows(cell, [&](const std::size_t f, const std::size_t i, const std::size_t row)
                               { result[f][i] += element.gradient[row]; });
@@ -142,7 +142,7 @@ public:
     FieldValues result(fields.size(), NodalVectors(3 * surface.n_nodes, 0.));
     assembler.loop(
         set, fields, multipliers, Order::hessian,
-        [&](const std::size_t cell, const Element &element, const auto &)
+        [&](const Cell &cell, const Element &element, const auto &)
         {
           for_rows(cell,
                    [&](const std::size_t f, const std::size_t i, const std::size_t row)
@@ -156,12 +156,12 @@ public:
 
   /** Calls with field, index within its nodal vectors, row of the cell's contribution. */
   template <typename Action>
-  void for_rows(const std::size_t cell, const Action &action) const
+  void for_rows(const Cell &cell, const Action &action) const
   {
     for (std::size_t f = 0; f < layout.fields().size(); ++f)
       for (unsigned int c = 0; c < 3; ++c)
-        for (std::size_t i = 0; i < surface.n_local(); ++i)
-          action(f, 3 * surface.cell_nodes[cell * surface.n_local() + i] + c, (3 * f + c) * surface.n_local() + i);
+        for (std::size_t i = 0; i < cell.n_nodes; ++i)
+          action(f, 3 * cell.nodes[i] + c, (3 * f + c) * cell.n_nodes + i);
   }
 
   const SurfaceDiscretization &surface;

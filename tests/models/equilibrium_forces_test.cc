@@ -43,7 +43,7 @@ SphereForces forces_on_sphere(const double C0, const double sigma, const double 
   const SurfaceDiscretization mesh                                      = make_start_shape(scene.start_shape());
   Communicator communicator;
   Timing timing;
-  SurfaceProblem problem(mesh, scene.potentials(Scales{}), communicator, "mumps", timing);
+  SurfaceProblem problem(mesh, scene.potentials(Scales{}), {}, communicator, "mumps", timing);
   problem.use_chart(PositionChart::graph, mesh.positions);
   problem.linearize();
   const Numbering &numbering = problem.numbering();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <pellicle/assembly/communicator.h>
+#include <pellicle/assembly/cells.h>
 #include <pellicle/assembly/contraction.h>
 
 #include <cstddef>
@@ -24,12 +24,14 @@ struct AssemblyCounters
 struct TermValues
 {
   std::vector<double> energies;    ///< in the order of PotentialSet::energies
-  std::vector<double> constraints; ///< g, in the order of PotentialSet::constraints
+  std::vector<double> constraints; ///< g - lambda r, in the order of PotentialSet::constraints
+  std::vector<double> compliances; ///< r of each constraint, see Constraint::self_term
 };
 
 /**
- * The loop over cells: gathers nodal values, forms the inputs of points, lets potentials and constraints add,
- * contracts. Works in plain R^3 and knows neither charts nor matrices; what a cell yields is handed to a visitor.
+ * The loop over cells, of the surface and of its edge loops: gathers nodal values, forms the inputs of points, lets
+ * potentials and constraints add, contracts. Works in plain R^3 and knows neither charts nor matrices; what a cell
+ * yields is handed to a visitor. Sets of cells on which nothing acts are not visited.
  */
 class Assembler
 {
@@ -47,12 +49,14 @@ public:
   /** The terms that declare internal fields, and the derivatives with respect to these fields. */
   static Selection internal(const PotentialSet &set, const FieldLayout &layout);
 
-  Assembler(const SurfaceDiscretization &discretization, const FieldLayout &layout, const Communicator &communicator,
-            Selection selection);
+  /** `set` may change its numbers from call to call, but not its terms. Asserts that the parts of the surface on which
+   * its potentials act exist. */
+  Assembler(const SurfaceDiscretization &discretization, const FieldLayout &layout, const PotentialSet &set,
+            const Communicator &communicator, const Selection &selection);
 
-  /** element: derivatives of energies + multipliers . constraints; constraint_gradients[k]: of g_k alone, rows as in
-   * Element. */
-  using Visitor = std::function<void(std::size_t cell, const Element &element,
+  /** element: derivatives of energies + multipliers . constraints; constraint_gradients[k]: of g_k - lambda_k r_k
+   * alone, rows as in Element. */
+  using Visitor = std::function<void(const Cell &cell, const Element &element,
                                      const std::vector<std::vector<double>> &constraint_gradients)>;
 
   /** One loop over the cells of this process. Returns the values of the selected terms (others zero). */
@@ -61,23 +65,42 @@ public:
 
   /** One cell of such a loop; adds the values of its terms to `values_of_terms`. */
   void evaluate(const PotentialSet &set, const FieldValues &values, const std::vector<double> &multipliers, Order order,
-                std::size_t cell, TermValues &values_of_terms, Element &element,
+                const Cell &cell, TermValues &values_of_terms, Element &element,
                 std::vector<std::vector<double>> &constraint_gradients);
 
   const AssemblyCounters &counters() const { return counts; }
 
 private:
+  /** A term where it acts: its index in the list, and the offsets of its fields. */
+  struct Term
+  {
+    static constexpr unsigned int all_regions = static_cast<unsigned int>(-1);
+
+    std::size_t index   = 0;
+    unsigned int region = all_regions;
+    std::vector<unsigned int> offsets, self_offsets; ///< of the potential; of a constraint's self term
+  };
+  /** What acts on one set of cells. */
+  struct Work
+  {
+    std::vector<Term> energies, constraints;
+    std::unique_ptr<Contraction> contraction;
+  };
+
+  void place(const Potential &potential, Term term, std::vector<Term> Work::*list);
+  bool acts(const Term &term, const Cell &cell) const;
+
   const SurfaceDiscretization &discretization;
   const FieldLayout &layout;
   const Communicator &communicator;
-  Selection selection;
-  Contraction contraction;
+  std::vector<Cell> cells;
+  std::vector<Work> work; ///< by set of cells
   AssemblyCounters counts;
   std::vector<double> inputs; // of the points of one cell
   PointSums total, single;
 };
 
 /** Inputs of all points of one cell for all fields of a layout: inputs[q * n_inputs + offset + 3 s + c]. */
-void gather_inputs(const SurfaceDiscretization &discretization, const FieldLayout &layout, const FieldValues &values,
-                   std::size_t cell, std::vector<double> &inputs);
+void gather_inputs(const ShapeTables &tables, const std::size_t *nodes, const FieldLayout &layout,
+                   const FieldValues &values, std::vector<double> &inputs);
 } // namespace pellicle

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <pellicle/assembly/communicator.h>
+#include <pellicle/assembly/cells.h>
 #include <pellicle/assembly/contraction.h>
 #include <pellicle/assembly/nodal_chart.h>
 #include <pellicle/base/sparse_matrix.h>
@@ -13,7 +13,8 @@ namespace pellicle
 {
 /**
  * Unknowns of a linear system: the charts' unknowns node after node (fields in the layout's order within a node), then
- * the multipliers of the constraints, then one row for each rigid motion.
+ * the multipliers of the constraints, then one row for each rigid motion. Nodes that follow another one have no
+ * unknowns of their own: they move with that one's.
  */
 struct Numbering
 {
@@ -29,6 +30,11 @@ struct Numbering
   std::size_t n_fields() const { return charts.size(); }
   std::size_t size() const { return n_nodal + n_constraints + n_rigid; }
   std::size_t n_unknowns_of(std::size_t field) const;
+  /** First unknown of a field at a node. */
+  std::size_t first_of(const std::size_t field, const std::size_t node) const
+  {
+    return first[node * n_fields() + field];
+  }
   /** Unknowns of a field at a node; 0 if the field is not part of the system. */
   unsigned int count(const std::size_t field, const std::size_t node) const
   {
@@ -57,17 +63,19 @@ public:
   void set_charts(std::vector<NodalChart> charts) { unknowns.charts = std::move(charts); }
 
   void begin();
-  /** Adds a cell. `mesh`: the mesh energy's contribution, for charts with mesh equations (else null). */
-  void add_cell(std::size_t cell, const Element &physics, const std::vector<std::vector<double>> &constraint_gradients,
+  /** Adds matrix and residual of a cell. `mesh`: the mesh energy's contribution, which mesh equations take instead of
+   * the physics (null: nothing). */
+  void add_cell(const Cell &cell, const Element &physics, const std::vector<std::vector<double>> &constraint_gradients,
                 const Element *mesh);
-  /** Only the residual of a cell, for elimination and checks. */
-  void add_cell_residual(std::size_t cell, const Element &physics);
+  /** The same without the matrix. */
+  void add_cell_residual(const Cell &cell, const Element &physics,
+                         const std::vector<std::vector<double>> &constraint_gradients, const Element *mesh);
   /** Border: value -1/c on the diagonal of constraint k and its residual. */
   void set_constraint(std::size_t k, double compliance, double residual);
   /** Border row of a rigid motion: `direction` is a nodal vector field (already weighted), on the diagonal -1/rho. Its
    * reaction so far times the direction is part of the residual. */
   void set_rigid_motion(std::size_t k, const NodalVectors &direction, double inverse_rho, double reaction);
-  /** Sums residuals over the processes. */
+  /** Sums residuals over the processes and writes the constraints' rows into the border. */
   void finish();
 
   const SparseMatrix &matrix() const { return sparse; }
@@ -87,22 +95,22 @@ public:
   void prolongate(const std::vector<double> &u, double factor, std::size_t field, NodalVectors &values) const;
 
 private:
-  void make_pattern();
-  void project(std::size_t cell, const Element &physics, const Element *mesh);
-  void cell_unknowns(std::size_t cell, std::vector<int> &list) const;
+  void make_pattern(const std::vector<Cell> &cells);
+  void write_border(std::size_t row, const std::vector<double> &values);
+  void project(const Cell &cell, const Element &physics, const Element *mesh);
+  void cell_unknowns(const Cell &cell, std::vector<int> &list) const;
 
-  const SurfaceDiscretization &discretization;
   const Communicator &communicator;
   Numbering unknowns;
   SparseMatrix sparse;
   std::vector<double> right, contributions;
   std::vector<std::vector<double>> constraint_rows;
+  std::vector<bool> mesh_row; ///< of nodal unknowns
 
-  std::size_t first_cell = 0, last_cell = 0;
   std::vector<std::size_t> scatter_start; ///< of each own cell in `scatter`
   std::vector<int> scatter;               ///< positions in sparse.values; -1: not stored (upper triangle)
   std::vector<int> diagonal;              ///< position of each diagonal entry
   std::vector<int> cell_list;
-  std::vector<double> projected, projected_gradient, projected_contribution;
+  std::vector<double> projected, row_times_Z;
 };
 } // namespace pellicle

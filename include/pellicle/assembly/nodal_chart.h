@@ -25,6 +25,12 @@ struct NodalChart
     std::array<bool, 3> mesh_equation{}; ///< by column
   };
   std::vector<Node> nodes;
+  /** Nodes that move as another one does (a rigid ring, two sides of a line): leader[I], or I itself. Empty: none. Both
+   * have the same columns. */
+  std::vector<std::size_t> leader;
+
+  /** Whether a node has unknowns of its own. */
+  bool leads(const std::size_t node) const { return leader.empty() || leader[node] == node; }
 
   bool has_mesh_equations() const;
 };
@@ -32,13 +38,18 @@ struct NodalChart
 /** Every admissible direction of a node is an unknown (the moment). */
 NodalChart free_chart(const SurfaceDiscretization &discretization);
 
-/** Normal graph x = X + u d with d the nodal normal: one unknown a node, symmetric, variational. Tangential motion, a
- * gauge, is fixed. */
-NodalChart graph_chart(const SurfaceDiscretization &discretization, const NodalVectors &normals);
+/**
+ * Normal graph x = X + u d with d the nodal normal: one unknown a node, symmetric, variational. Tangential motion, a
+ * gauge, is fixed. Nodes of edge loops also move along the conormal, for that is no gauge: it moves the line within the
+ * surface.
+ */
+NodalChart graph_chart(const SurfaceDiscretization &discretization, const NodalVectors &positions,
+                       const NodalVectors &normals);
 
-/** ALE: all admissible directions; the normal one with the physical equation, tangential ones with mesh equations.
- * Unsymmetric, no bias. */
-NodalChart ale_chart(const SurfaceDiscretization &discretization, const NodalVectors &normals);
+/** ALE: all admissible directions; the normal one (on edge loops the conormal, too) with the physical equation, the
+ * others with mesh equations. Unsymmetric, no bias. */
+NodalChart ale_chart(const SurfaceDiscretization &discretization, const NodalVectors &positions,
+                     const NodalVectors &normals);
 
 /** Unit normals at the nodes: averages of the cells' normals there, weighted by x,1 x x,2, projected to the admissible
  * directions. */

@@ -3,6 +3,7 @@
 
 #include <pellicle/assembly/assembler.h>
 #include <pellicle/assembly/bordered_system.h>
+#include <pellicle/assembly/nodal_conditions.h>
 #include <pellicle/base/timing.h>
 #include <pellicle/solvers/linear_solver.h>
 
@@ -20,7 +21,8 @@ class InternalElimination
 {
 public:
   InternalElimination(const SurfaceDiscretization &discretization, const FieldLayout &layout, const PotentialSet &set,
-                      const Communicator &communicator, const std::string &linear_solver, Timing &timing);
+                      const NodalConditions &conditions, const Communicator &communicator,
+                      const std::string &linear_solver, Timing &timing);
 
   /** Whether there is anything to eliminate. */
   bool empty() const { return n_unknowns == 0; }
@@ -30,6 +32,10 @@ public:
    * (singular, not finite, no convergence in ten iterations).
    */
   bool solve(const PotentialSet &set, const std::vector<double> &multipliers, FieldValues &values);
+
+  /** Negative eigenvalues of the internal fields' own block at the last solve, at most the number of its unknowns; all
+   * of them where the linear solver cannot tell. */
+  int negative_eigenvalues() const;
 
   const AssemblyCounters &counters() const { return assembler.counters(); }
 

@@ -55,6 +55,9 @@ public:
 
   /** Reported quantities in the user's units, in the order of the documentation. */
   std::vector<std::pair<std::string, double>> quantities() const;
+  /** Energies by name; tension, pressure and other multipliers. Internal units. */
+  std::vector<NamedQuantity> energies() const;
+  std::vector<NamedQuantity> forces() const;
   /** The surface with its fields, in the user's units. */
   SurfaceSample sample() const;
 
@@ -69,16 +72,16 @@ public:
 private:
   void add_node_noise(const VesicleParameters &vesicle);
   void check_constraints_are_independent();
+  PotentialSet potentials_of(const SurfaceScene &scene);
 
   NewtonParameters newton;
   Scales unit;
-  const Communicator &communicator;
   Timing &timing;
   std::array<double, 3> centroid{};
   SurfaceDiscretization discretization;
   std::unique_ptr<SurfaceProblem> problem;
   std::unique_ptr<LinearSolver> solver;
-  SurfaceState last_iterate;    ///< of the last solve that failed
-  double bending_rigidity = 0.; ///< internal units; 0 without bending
+  SurfaceState last_iterate; ///< of the last solve that failed
+  SceneTargets targets;      ///< what the effects were given, internal units
 };
 } // namespace pellicle

@@ -28,8 +28,9 @@ struct SurfaceState
 /** How the position's tangential freedom is fixed. */
 enum class PositionChart
 {
-  graph, ///< displacement along the nodal normals
-  ale    ///< all components, mesh equations for the tangential ones
+  graph,   ///< displacement along the nodal normals
+  ale,     ///< all components, mesh equations for the tangential ones
+  material ///< all components, all of them physical: potentials that act tangentially
 };
 
 /**
@@ -41,17 +42,18 @@ class SurfaceProblem : public EquilibriumProblem
 public:
   /**
    * @param set      energies and constraints; may change its numbers (set_potentials), not its fields.
-   * @throws UserError if the ALE chart is wanted and a potential is not reparametrisation invariant.
+   * @param conditions  of the nodes of each field, from the edges of an open surface.
    */
-  SurfaceProblem(const SurfaceDiscretization &discretization, PotentialSet set, const Communicator &communicator,
-                 std::string linear_solver, Timing &timing);
+  SurfaceProblem(const SurfaceDiscretization &discretization, PotentialSet set, NodalConditions conditions,
+                 const Communicator &communicator, std::string linear_solver, Timing &timing);
 
   /** The same lists with other numbers: a load step. */
   void set_potentials(PotentialSet set);
   const PotentialSet &potentials() const { return set; }
   const FieldLayout &layout() const { return field_layout; }
 
-  /** Chart at the current positions; `mesh_reference`: positions whose metric the ALE mesh energy prefers. */
+  /** Chart at the current positions; `mesh_reference`: positions whose metric the ALE mesh energy prefers. Throws
+   * UserError if it would hold back tangential motion that a potential sees. */
   void use_chart(PositionChart chart, const NodalVectors &mesh_reference);
 
   const SurfaceState &state() const { return current; }
@@ -61,8 +63,14 @@ public:
   /** Energies and constraint values of the current state. */
   const TermValues &values() const { return current_values; }
   const Numbering &numbering() const { return system->numbering(); }
-  /** Gradient of constraint k with respect to the chart's unknowns, at the last linearisation. */
-  const std::vector<double> &constraint_gradient(const std::size_t k) const { return system->constraint_gradient(k); }
+  /** Gradients with respect to the nodal positions in R^3 at the current state: of energies + multipliers . constraints
+   * (the forces that hold the nodes, where they are held), and of each constraint. */
+  struct NodalForces
+  {
+    NodalVectors total;
+    std::vector<NodalVectors> constraints;
+  };
+  NodalForces nodal_forces() const;
   std::vector<const AssemblyCounters *> counters() const;
 
   void linearize() override;
@@ -71,7 +79,7 @@ public:
   double relative_residual() const override;
   double constraint_violation() const override;
   void add_drag(double zeta) override;
-  bool is_variational() const override { return chart == PositionChart::graph; }
+  bool is_variational() const override { return chart != PositionChart::ale; }
   int expected_negative_pivots() const override;
   double merit_slope(const std::vector<double> &direction) const override;
   double merit(const std::vector<double> &direction) const override;
@@ -81,13 +89,15 @@ public:
   double energy() const override;
 
 private:
-  TermValues evaluate(const FieldValues &fields) const;
-  double merit_of(const TermValues &values, const std::vector<double> &direction) const;
+  TermValues evaluate(const SurfaceState &state) const;
+  double merit_of(const TermValues &values, const std::vector<double> &of_state,
+                  const std::vector<double> &direction) const;
   std::vector<double> full_step_multipliers(const std::vector<double> &direction) const;
   double constraint_residual(std::size_t k, const TermValues &values, double lambda) const;
 
   const SurfaceDiscretization &discretization;
   PotentialSet set;
+  NodalConditions conditions;
   const Communicator &communicator;
   Timing &timing;
   FieldLayout field_layout;
@@ -95,7 +105,7 @@ private:
   InternalElimination elimination;
 
   std::vector<NodalChart> charts_here() const;
-  void recentre_chart();
+  void renew_gauge();
 
   PositionChart chart   = PositionChart::graph;
   double moved_in_chart = 0.; ///< largest displacement of a node, summed over steps since the chart was made
@@ -110,10 +120,14 @@ private:
   TermValues current_values, trial_values;
 };
 
+/** A quadratic term - (lambda^2/2) r of the Lagrangian is part of the energy that the internal fields yield: this gives
+ * it back, sum of (lambda^2/2) r. */
+double energy_of_self_terms(const TermValues &values, const std::vector<double> &multipliers);
+
 /** Whether all listed terms are: only then may tangential equilibrium be replaced by mesh equations. */
 bool is_reparametrisation_invariant(const PotentialSet &set);
 
 /** Metric of a configuration at every quadrature point, as the reference of the mesh energy. */
-std::vector<struct ReferenceMetric> reference_metric(const SurfaceDiscretization &discretization,
-                                                     const NodalVectors &positions);
+std::vector<ReferenceMetric> reference_metric(const SurfaceDiscretization &discretization,
+                                              const NodalVectors &positions);
 } // namespace pellicle

@@ -67,13 +67,15 @@ struct SurfaceScene
 
   bool has_effect(const std::string &name) const;
   bool has_analysis(const std::string &name) const;
-  Scales scales() const;           ///< length sqrt(A/4 pi), energy typical of the effects
-  double bending_rigidity() const; ///< kappa, the user's units; 0 without bending
-  double target_volume() const;    ///< v (4 pi/3) (A/4 pi)^(3/2), the user's units
+  Scales scales() const;        ///< length sqrt(A/4 pi), energy typical of the effects
+  double target_volume() const; ///< v (4 pi/3) (A/4 pi)^(3/2), the user's units
 
   StartShape start_shape() const;
+  /** What effects take from the scene and from each other; what only a mesh knows is left out. */
+  SceneTargets targets(const Scales &scales) const;
   /** Energies and constraints in internal units. */
-  PotentialSet potentials(const Scales &scales) const;
+  PotentialSet potentials(const Scales &scales, const SceneTargets &targets) const;
+  PotentialSet potentials(const Scales &scales) const { return potentials(scales, targets(scales)); }
 };
 
 /** A scene with the named effects of a library, parameters at their defaults. Throws UserError for an unknown effect.

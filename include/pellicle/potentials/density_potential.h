@@ -52,7 +52,7 @@ public:
     for (unsigned int q = 0; q < points.n_points; ++q)
     {
       const double *inputs = points.inputs + std::size_t(q) * points.n_inputs;
-      const PointData data{points.first_point + q};
+      const PointData data{points.first_point + q, points.region};
       double *gradient = order >= Order::gradient ? sums.gradient.data() + std::size_t(q) * sums.n_inputs : nullptr;
       double *hessian =
           order == Order::hessian ? sums.hessian.data() + std::size_t(q) * sums.n_inputs * sums.n_inputs : nullptr;

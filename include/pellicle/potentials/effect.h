@@ -25,16 +25,25 @@ namespace pellicle
 struct Constraint
 {
   std::shared_ptr<const Potential> measure; ///< g, integral of a density
+  /**
+   * r of a further term - (lambda^2/2) r of the Lagrangian, where g(fields) stands for g - lambda r: measures of
+   * curvature by way of an internal field, which the multiplier shifts (see BilayerCurvature). Usually null. It acts
+   * where the measure does.
+   */
+  std::shared_ptr<const Potential> self_term;
   double target    = 0.;
   double stiffness = std::numeric_limits<double>::infinity();
   std::string quantity;        ///< reported name of g, e.g. "volume"
   std::string multiplier;      ///< reported name of the multiplier, e.g. "pressure"
   double multiplier_sign = 1.; ///< reported multiplier = sign * lambda
   Dimension dimension;         ///< of g; the multiplier's is energy / dimension
+  /** For a finite stiffness that is physics: the reported name of (stiffness/2) (g - target)^2, which then counts in
+   * the total energy. Empty: a penalty. */
+  std::string energy;
 };
 
-/** A multiplier's quantity with a given value: the tension of the effect "surface tension". */
-struct PrescribedQuantity
+/** A value with a name and a dimension, for reports. */
+struct NamedQuantity
 {
   std::string name;
   double value = 0.; ///< internal units
@@ -46,14 +55,23 @@ struct PotentialSet
 {
   std::vector<std::shared_ptr<const Potential>> energies;
   std::vector<Constraint> constraints;
-  std::vector<PrescribedQuantity> prescribed; ///< only for reports
+  std::vector<NamedQuantity> prescribed; ///< only for reports
 };
 
-/** What effects may take from the scene besides their own parameters; internal units. */
+/** Coefficients of the bending energy (kappa/2)(2H + C0)^2. */
+struct BendingLaw
+{
+  double rigidity              = 1.; ///< kappa
+  double spontaneous_curvature = 0.; ///< C0
+};
+
+/** What effects may take from the scene besides their own parameters, and from each other; internal units. */
 struct SceneTargets
 {
   double area   = 0.; ///< `Vesicle/Area`
   double volume = 0.; ///< from `Vesicle/Reduced volume`
+  /** Bending by region (0: the membrane outside all other regions); empty without bending. */
+  std::vector<BendingLaw> bending = {};
   /** Metric of the reference shape at every quadrature point, for elastic skins; null while a scene is only checked. */
   std::shared_ptr<const std::vector<ReferenceMetric>> reference = nullptr;
 };
@@ -77,9 +95,14 @@ public:
   virtual void check() const {}
   /** An energy typical of the effect, in the user's units, given the scene's length; none if the effect has none. */
   virtual std::optional<double> typical_energy(double /*length*/) const { return std::nullopt; }
+  /** Tells the other effects of the scene what they may need; called for all effects before contribute(). */
+  virtual void prepare(const Scales & /*scales*/, SceneTargets & /*targets*/) const {}
   /** Adds energies and constraints in internal units. */
   virtual void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const = 0;
 };
+
+/** Names of the regions that a surface may have, by their numbers: "membrane" (0) and "domain" (1). */
+const std::string &region_name(std::size_t region);
 
 /** "surface tension" -> "Surface tension": the section of an effect. */
 std::string section_name(const std::string &effect_name);

@@ -26,6 +26,7 @@ struct CellPoints
   unsigned int n_points   = 0;
   unsigned int n_inputs   = 0; ///< of all fields of the scene together
   const double *inputs    = nullptr;
+  unsigned int region     = 0; ///< of the cell, index into the surface's list of regions
 };
 
 /**

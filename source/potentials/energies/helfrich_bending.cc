@@ -2,6 +2,8 @@
 #include <pellicle/potentials/density_potential.h>
 #include <pellicle/potentials/energies/helfrich_bending.h>
 
+#include <algorithm>
+
 namespace pellicle
 {
 // With f = S/J - C0 N.P - J |P|^2/(2 kappa), S quadratic in x,a and linear in P,b, every block below is one product
@@ -84,10 +86,24 @@ std::optional<double> HelfrichBendingEffect::typical_energy(double /*length*/) c
   return parameters.bending_rigidity;
 }
 
-void HelfrichBendingEffect::contribute(const Scales &scales, const SceneTargets & /*targets*/, PotentialSet &set) const
+void HelfrichBendingEffect::prepare(const Scales &scales, SceneTargets &targets) const
 {
   const HelfrichBendingParameters p = scaled(parameters, scales);
-  set.energies.push_back(std::make_shared<DensityPotential<HelfrichBending>>(
-      name(), HelfrichBending{p.bending_rigidity, p.spontaneous_curvature}));
+  targets.bending.resize(std::max<std::size_t>(targets.bending.size(), 1));
+  targets.bending[0] = {p.bending_rigidity, p.spontaneous_curvature};
+}
+
+void HelfrichBendingEffect::contribute(const Scales & /*scales*/, const SceneTargets &targets, PotentialSet &set) const
+{
+  const auto add = [&](const BendingLaw &law, const Where &where)
+  {
+    set.energies.push_back(std::make_shared<DensityPotential<HelfrichBending>>(
+        name(), HelfrichBending{law.rigidity, law.spontaneous_curvature}, where));
+  };
+  if (targets.bending.size() == 1)
+    add(targets.bending[0], {});
+  else
+    for (std::size_t region = 0; region < targets.bending.size(); ++region)
+      add(targets.bending[region], {Where::Part::region, region_name(region)});
 }
 } // namespace pellicle
