@@ -3,8 +3,12 @@
 #include <pellicle/potentials/constraints/enclosed_volume.h>
 #include <pellicle/potentials/constraints/total_area.h>
 #include <pellicle/potentials/energies/helfrich_bending.h>
+#include <pellicle/potentials/energies/incompressible_rubber_skin.h>
+#include <pellicle/potentials/energies/neo_hookean_skin.h>
 #include <pellicle/potentials/energies/pressure.h>
+#include <pellicle/potentials/energies/skalak_skin.h>
 #include <pellicle/potentials/energies/surface_tension.h>
+#include <pellicle/potentials/energies/tu_ou_yang_skin.h>
 #include <pellicle/potentials/potential_library.h>
 
 #include <cctype>
@@ -21,6 +25,10 @@ EffectLibrary standard_effects()
   library.add("area difference elasticity", [] { return std::make_unique<AreaDifferenceElasticityEffect>(); });
   library.add("surface tension", [] { return std::make_unique<SurfaceTensionEffect>(); });
   library.add("pressure", [] { return std::make_unique<PressureEffect>(); });
+  library.add(NeoHookeanSkin::name, [] { return std::make_unique<SkinEffect<NeoHookeanSkin>>(); });
+  library.add(IncompressibleRubberSkin::name, [] { return std::make_unique<SkinEffect<IncompressibleRubberSkin>>(); });
+  library.add(SkalakSkin::name, [] { return std::make_unique<SkinEffect<SkalakSkin>>(); });
+  library.add(TuOuYangSkin::name, [] { return std::make_unique<SkinEffect<TuOuYangSkin>>(); });
   return library;
 }
 

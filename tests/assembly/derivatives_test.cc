@@ -2,6 +2,7 @@
 // Assembled gradients and matrices against differences of the assembled energy.
 #include "sample_problem.h"
 
+#include <pellicle/potentials/energies/incompressible_rubber_skin.h>
 #include <pellicle/potentials/energies/mesh_distortion.h>
 
 #include <gtest/gtest.h>
@@ -92,28 +93,56 @@ TEST(Derivatives, DensityWithSecondDerivatives)
   }
 }
 
+/** Metric of the start shape at every quadrature point. */
+std::vector<ReferenceMetric> start_metric(const SurfaceDiscretization &surface)
+{
+  std::vector<ReferenceMetric> metric;
+  std::vector<double> x(18 * surface.tables.n_points);
+  for (std::size_t cell = 0; cell < surface.n_cells; ++cell)
+  {
+    evaluate_field(surface.tables, &surface.cell_nodes[cell * surface.n_local()], surface.positions, 3, x.data());
+    for (unsigned int q = 0; q < surface.tables.n_points; ++q)
+    {
+      const Vector3<double> x1(x[18 * q + 3], x[18 * q + 4], x[18 * q + 5]),
+          x2(x[18 * q + 6], x[18 * q + 7], x[18 * q + 8]);
+      metric.push_back({pellicle::dot(x1, x1), pellicle::dot(x1, x2), pellicle::dot(x2, x2)});
+    }
+  }
+  return metric;
+}
+
 TEST(Derivatives, MeshEnergyVanishesAtItsReferenceOnly)
 {
   for (const auto &[name, surface] : small_surfaces())
   {
     PotentialSet set;
-    std::vector<ReferenceMetric> metric;
-    std::vector<double> x(18 * surface.tables.n_points);
-    for (std::size_t cell = 0; cell < surface.n_cells; ++cell)
-    {
-      evaluate_field(surface.tables, &surface.cell_nodes[cell * surface.n_local()], surface.positions, 3, x.data());
-      for (unsigned int q = 0; q < surface.tables.n_points; ++q)
-      {
-        const Vector3<double> x1(x[18 * q + 3], x[18 * q + 4], x[18 * q + 5]),
-            x2(x[18 * q + 6], x[18 * q + 7], x[18 * q + 8]);
-        metric.push_back({pellicle::dot(x1, x1), pellicle::dot(x1, x2), pellicle::dot(x2, x2)});
-      }
-    }
-    set.energies.push_back(make_mesh_distortion(metric));
+    set.energies.push_back(make_mesh_distortion(start_metric(surface)));
     Lagrangian lagrangian(surface, set);
     EXPECT_NEAR(lagrangian.value({surface.positions}), 0., 1e-12) << name;
     EXPECT_NEAR(test::norm(lagrangian.gradient({surface.positions})), 0., 1e-11) << name;
     EXPECT_GT(lagrangian.value(lagrangian.rough_fields()), 1e-2) << name;
+    check_derivatives(lagrangian, name);
+  }
+}
+
+// A shape stretched by l in all directions has the energy (mu/2) (2 l^2 + l^-4 - 3) times its area before.
+TEST(Derivatives, SkinOfAStretchedShape)
+{
+  const double mu = 1.7, l = 1.2;
+  for (const auto &[name, surface] : small_surfaces())
+  {
+    PotentialSet skin, area;
+    skin.energies.push_back(std::make_shared<DensityPotential<ElasticSkin<IncompressibleRubberSkin>>>(
+        "skin", ElasticSkin<IncompressibleRubberSkin>{
+                    {mu}, std::make_shared<const std::vector<ReferenceMetric>>(start_metric(surface))}));
+    area.energies.push_back(std::make_shared<DensityPotential<TotalArea>>("area", TotalArea{}));
+    Lagrangian lagrangian(surface, skin);
+    const FieldValues start{surface.positions}, stretched = sum(start, l - 1., start);
+    EXPECT_NEAR(lagrangian.value(start), 0., 1e-12) << name;
+    EXPECT_NEAR(test::norm(lagrangian.gradient(start)), 0., 1e-12) << name;
+    EXPECT_NEAR(lagrangian.value(stretched),
+                mu / 2. * (2. * l * l + std::pow(l, -4) - 3.) * Lagrangian(surface, area).value(start), 1e-11)
+        << name;
     check_derivatives(lagrangian, name);
   }
 }

@@ -4,9 +4,13 @@
 #include <pellicle/potentials/constraints/total_area.h>
 #include <pellicle/potentials/density_potential.h>
 #include <pellicle/potentials/energies/helfrich_bending.h>
+#include <pellicle/potentials/energies/incompressible_rubber_skin.h>
 #include <pellicle/potentials/energies/mesh_distortion.h>
+#include <pellicle/potentials/energies/neo_hookean_skin.h>
 #include <pellicle/potentials/energies/pressure.h>
+#include <pellicle/potentials/energies/skalak_skin.h>
 #include <pellicle/potentials/energies/surface_tension.h>
+#include <pellicle/potentials/energies/tu_ou_yang_skin.h>
 
 #include <gtest/gtest.h>
 
@@ -73,8 +77,20 @@ TEST(AutomaticDerivatives, EnclosedVolume)
   compare(EnclosedVolume{});
 }
 
+std::shared_ptr<const std::vector<ReferenceMetric>> skew_reference()
+{
+  return std::make_shared<const std::vector<ReferenceMetric>>(1, ReferenceMetric{1.3, 0.2, 0.9});
+}
+
 TEST(AutomaticDerivatives, MeshDistortion)
 {
-  compare(MeshDistortion{std::make_shared<const std::vector<ReferenceMetric>>(1, ReferenceMetric{1.3, 0.2, 0.9})});
+  compare(MeshDistortion{skew_reference()});
+}
+TEST(AutomaticDerivatives, ElasticSkins)
+{
+  compare(ElasticSkin<NeoHookeanSkin>{{1.3}, skew_reference()});
+  compare(ElasticSkin<IncompressibleRubberSkin>{{1.3}, skew_reference()});
+  compare(ElasticSkin<SkalakSkin>{{1.3, 2.1}, skew_reference()});
+  compare(ElasticSkin<TuOuYangSkin>{{1.3, 0.4}, skew_reference()});
 }
 } // namespace

@@ -23,7 +23,8 @@ struct ListedPotential
   std::shared_ptr<const Potential> potential;
 };
 
-// Every energy and constraint of every effect, with parameters away from special values, and the mesh energy.
+// Every energy and constraint of every effect, with parameters away from special values and a skew reference, and the
+// mesh energy.
 std::vector<ListedPotential> listed_potentials()
 {
   const EffectLibrary library = standard_effects();
@@ -36,9 +37,12 @@ std::vector<ListedPotential> listed_potentials()
     double value = 0.7;
     for (const ParameterSection::Entry &entry : section.entries())
       if (const auto number = std::get_if<double *>(&entry.target))
-        **number = (value += 0.4);
+        **number =
+            std::isfinite(entry.range.upper) ? 0.4 * entry.range.lower + 0.6 * entry.range.upper : (value += 0.4);
     PotentialSet set;
-    effect->contribute(Scales{}, SceneTargets{12., 4.}, set);
+    SceneTargets targets{12., 4.};
+    targets.reference = std::make_shared<const std::vector<ReferenceMetric>>(1, ReferenceMetric{1.3, 0.2, 0.9});
+    effect->contribute(Scales{}, targets, set);
     EXPECT_FALSE(set.energies.empty() && set.constraints.empty()) << name;
     for (const auto &energy : set.energies)
       all.push_back({name, energy});

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <pellicle/potentials/reference_metric.h>
-#include <pellicle/potentials/surface_measures.h>
+#include <pellicle/potentials/stretch_invariants.h>
 
 #include <memory>
 #include <string>
@@ -31,12 +30,10 @@ struct MeshDistortion
   template <typename Number>
   Number density(const PointInputs<Number, 1> &inputs, const PointData &data) const
   {
-    const ReferenceMetric &A  = (*reference)[data.index];
-    const double J0           = A.area_element();
-    const Vector3<Number> &x1 = inputs[0].d1(), &x2 = inputs[0].d2();
-    const Number stretch = area_density(inputs[0]) / J0;
-    const Number trace   = (A.A22 * dot(x1, x1) - 2. * A.A12 * dot(x1, x2) + A.A11 * dot(x2, x2)) / (J0 * J0);
-    return J0 * (trace / (2. * stretch) - 1. + area_weight * (stretch - 1.) * (stretch - 1.));
+    const ReferenceMetric &A = (*reference)[data.index];
+    const StretchInvariants<Number> stretch(inputs[0], A);
+    const Number &T = stretch.T, &s = stretch.s;
+    return A.area_element() * (T / (2. * s) - 1. + area_weight * (s - 1.) * (s - 1.));
   }
 
   void add_derivatives(const PointInputs<double, 1> &inputs, const PointData &data,
