@@ -31,9 +31,6 @@ std::array<double, 3> normalise(SurfaceDiscretization &discretization, const dou
     x /= length;
   return centre;
 }
-// Enough to see whether the first chart suits the shape, where there is another one to try.
-constexpr int iterations_before_fallback = 30;
-
 /** Passes iterations on with the energy in the user's units. */
 class InUsersUnits : public Observer
 {
@@ -162,59 +159,13 @@ PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
 
 StepResult SurfaceModel::solve(const int step, Observer &observer)
 {
-  StepResult result;
   const SurfaceState before         = problem->state();
   const NodalVectors mesh_reference = newton.mesh_reference == "start shape" && !discretization.mesh_reference.empty()
                                           ? discretization.mesh_reference
                                           : before.fields[0];
   InUsersUnits energies(observer, unit);
-
-  const auto iterate = [&](const PositionChart chart, const int max_iterations)
-  {
-    NewtonParameters parameters = newton;
-    parameters.max_iterations   = max_iterations;
-    problem->use_chart(chart, mesh_reference);
-    Newton method(parameters, *solver, timing);
-    const NewtonResult outcome = method.solve(*problem, step, energies, result.iterations);
-    result.iterations += outcome.iterations;
-    result.rejected += outcome.rejected;
-    result.converged         = outcome.converged;
-    result.failure           = outcome.failure;
-    result.relative_residual = outcome.relative_residual;
-    return outcome.converged;
-  };
-  const auto polish = [&]
-  {
-    const SurfaceState graph    = problem->state();
-    const double graph_residual = result.relative_residual;
-    if (iterate(PositionChart::ale, newton.max_iterations))
-      return;
-    result.warnings.push_back(
-        "The polishing in the ALE chart did not converge (" + result.failure +
-        "): the equilibrium in the normal-graph chart is reported. More cells or load steps help.");
-    result.converged         = true;
-    result.failure           = "";
-    result.relative_residual = graph_residual;
-    problem->set_state(graph);
-  };
-
-  if (newton.chart == "graph")
-    iterate(PositionChart::graph, newton.max_iterations);
-  else if (newton.chart == "ale")
-    iterate(PositionChart::ale, newton.max_iterations);
-  else if (newton.chart == "graph then ale")
-  {
-    if (iterate(PositionChart::graph, newton.max_iterations))
-      polish();
-  }
-  else if (!is_reparametrisation_invariant(problem->potentials()))
-    iterate(PositionChart::material, newton.max_iterations);
-  else if (!iterate(PositionChart::ale, std::min(newton.max_iterations, iterations_before_fallback)))
-  {
-    problem->set_state(before);
-    if (iterate(PositionChart::graph, newton.max_iterations))
-      polish();
-  }
+  EquilibriumSearch search(newton, *problem, *solver, timing);
+  const StepResult result = search.run(mesh_reference, step, energies);
   if (!result.converged)
   {
     last_iterate = problem->state();

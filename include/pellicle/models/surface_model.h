@@ -3,7 +3,7 @@
 
 #include <pellicle/base/observer.h>
 #include <pellicle/base/timing.h>
-#include <pellicle/models/surface_problem.h>
+#include <pellicle/models/equilibrium_search.h>
 #include <pellicle/models/surface_sample.h>
 #include <pellicle/models/surface_scene.h>
 
@@ -15,17 +15,6 @@
 
 namespace pellicle
 {
-/** Result of one equilibrium solve. */
-struct StepResult
-{
-  bool converged           = false;
-  int iterations           = 0;
-  int rejected             = 0;
-  double relative_residual = 0.;
-  std::string failure;
-  std::vector<std::string> warnings;
-};
-
 /**
  * A surface built from a scene: mesh, fields, lists, in internal units (length sqrt(A/4 pi), the effects' energy,
  * origin at the centroid). What users ask for is scaled back.

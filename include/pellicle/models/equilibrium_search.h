@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/base/observer.h>
+#include <pellicle/base/timing.h>
+#include <pellicle/models/surface_problem.h>
+#include <pellicle/solvers/newton.h>
+
+#include <string>
+#include <vector>
+
+namespace pellicle
+{
+/** Result of one equilibrium solve. */
+struct StepResult
+{
+  bool converged           = false;
+  int iterations           = 0;
+  int rejected             = 0;
+  double relative_residual = 0.;
+  std::string failure;
+  std::vector<std::string> warnings;
+};
+
+/**
+ * How an equilibrium is looked for: which charts Newton's method works in, one after the other, and how far constraints
+ * are taken at once.
+ *
+ * A constraint on curvature that the state is far from is approached in steps: at first the equilibrium without it,
+ * then targets on the way. Taken at once it fails, for area, volume and curvature of a nearly spherical shape are
+ * almost dependent and the multipliers of the first Newton step are absurd.
+ */
+class EquilibriumSearch
+{
+public:
+  EquilibriumSearch(const NewtonParameters &newton, SurfaceProblem &problem, LinearSolver &solver, Timing &timing);
+
+  /** From the problem's present state. On failure the problem is left at the last iterate. */
+  StepResult run(const NodalVectors &mesh_reference, int step, Observer &observer);
+
+private:
+  bool in_charts();
+  bool iterate(PositionChart chart, int max_iterations);
+  void polish();
+  bool approach(const std::vector<std::size_t> &distant);
+
+  const NewtonParameters &newton;
+  SurfaceProblem &problem;
+  LinearSolver &solver;
+  Timing &timing;
+
+  const NodalVectors *mesh_reference = nullptr;
+  Observer *observer                 = nullptr;
+  int step                           = 0;
+  StepResult result;
+};
+} // namespace pellicle

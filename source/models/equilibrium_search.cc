@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/models/equilibrium_search.h>
+#include <pellicle/solvers/load_stepping.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pellicle
+{
+namespace
+{
+// Enough to see whether the first chart suits the shape, where there is another one to try.
+constexpr int iterations_before_fallback = 30;
+constexpr double distant_from_target     = 1e-6; // relative; beyond it a constraint on curvature is approached in steps
+constexpr double released                = 1e-6; // stiffness that leaves a constraint without effect
+constexpr int first_steps                = 4;    // towards the target
+constexpr double smallest_step           = 1. / 1024.;
+
+std::vector<std::size_t> distant_constraints(const PotentialSet &set, const TermValues &values)
+{
+  std::vector<std::size_t> list;
+  for (std::size_t k = 0; k < set.constraints.size(); ++k)
+  {
+    const Constraint &constraint = set.constraints[k];
+    if (constraint.self_term && !std::isfinite(constraint.stiffness) &&
+        std::abs(values.constraints[k] - constraint.target) > distant_from_target * (1. + std::abs(constraint.target)))
+      list.push_back(k);
+  }
+  return list;
+}
+} // namespace
+
+EquilibriumSearch::EquilibriumSearch(const NewtonParameters &newton, SurfaceProblem &problem, LinearSolver &solver,
+                                     Timing &timing)
+    : newton(newton)
+    , problem(problem)
+    , solver(solver)
+    , timing(timing)
+{
+}
+
+StepResult EquilibriumSearch::run(const NodalVectors &reference, const int step_number, Observer &reports)
+{
+  mesh_reference = &reference;
+  observer       = &reports;
+  step           = step_number;
+  result         = {};
+
+  const std::vector<std::size_t> distant = distant_constraints(problem.potentials(), problem.values());
+  if (distant.empty())
+    in_charts();
+  else
+    approach(distant);
+  return result;
+}
+
+bool EquilibriumSearch::iterate(const PositionChart chart, const int max_iterations)
+{
+  NewtonParameters parameters = newton;
+  parameters.max_iterations   = max_iterations;
+  problem.use_chart(chart, *mesh_reference);
+  Newton method(parameters, solver, timing);
+  const NewtonResult outcome = method.solve(problem, step, *observer, result.iterations);
+  result.iterations += outcome.iterations;
+  result.rejected += outcome.rejected;
+  result.converged         = outcome.converged;
+  result.failure           = outcome.failure;
+  result.relative_residual = outcome.relative_residual;
+  return outcome.converged;
+}
+
+void EquilibriumSearch::polish()
+{
+  const SurfaceState graph    = problem.state();
+  const double graph_residual = result.relative_residual;
+  if (iterate(PositionChart::ale, newton.max_iterations))
+    return;
+  result.warnings.push_back("The polishing in the ALE chart did not converge (" + result.failure +
+                            "): the equilibrium in the normal-graph chart is reported. More cells or load steps help.");
+  result.converged         = true;
+  result.failure           = "";
+  result.relative_residual = graph_residual;
+  problem.set_state(graph);
+}
+
+bool EquilibriumSearch::in_charts()
+{
+  const SurfaceState before = problem.state();
+  if (newton.chart == "graph")
+    return iterate(PositionChart::graph, newton.max_iterations);
+  if (newton.chart == "ale")
+    return iterate(PositionChart::ale, newton.max_iterations);
+  if (newton.chart == "automatic")
+  {
+    if (!is_reparametrisation_invariant(problem.potentials()))
+      return iterate(PositionChart::material, newton.max_iterations);
+    if (iterate(PositionChart::ale, std::min(newton.max_iterations, iterations_before_fallback)))
+      return true;
+    problem.set_state(before);
+  }
+  if (!iterate(PositionChart::graph, newton.max_iterations))
+    return false;
+  polish();
+  return true;
+}
+
+bool EquilibriumSearch::approach(const std::vector<std::size_t> &distant)
+{
+  const PotentialSet wanted = problem.potentials();
+  const bool at_equilibrium = std::any_of(distant.begin(), distant.end(),
+                                          [&](const std::size_t k) { return problem.state().multipliers[k] != 0.; });
+  if (!at_equilibrium)
+  {
+    PotentialSet without = wanted;
+    for (const std::size_t k : distant)
+      without.constraints[k].stiffness = released;
+    problem.set_potentials(without);
+    if (!in_charts())
+      return false;
+  }
+  const std::vector<double> start = problem.values().constraints;
+
+  LoadParameters steps;
+  steps.steps         = first_steps;
+  steps.smallest_step = smallest_step;
+  const double end    = walk_load(steps,
+                                  [&](const double t)
+                                  {
+                                 if (t == 0.)
+                                   return true;
+                                 const SurfaceState before = problem.state();
+                                 PotentialSet partial      = wanted;
+                                 for (const std::size_t k : distant)
+                                   partial.constraints[k].target =
+                                       start[k] + t * (wanted.constraints[k].target - start[k]);
+                                 problem.set_potentials(partial);
+                                 if (in_charts())
+                                   return true;
+                                 problem.set_state(before);
+                                 return false;
+                               });
+  problem.set_potentials(wanted);
+  if (end < 1.)
+  {
+    const Constraint &constraint = wanted.constraints[distant.front()];
+    result.converged             = false;
+    result.failure               = "the target of the " + constraint.quantity + " could be approached only up to " +
+                     std::to_string(static_cast<int>(100. * std::max(end, 0.))) + " % of the way from its free value";
+  }
+  return result.converged;
+}
+} // namespace pellicle
