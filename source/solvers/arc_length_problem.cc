@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/solvers/arc_length_problem.h>
 
@@ -19,6 +20,7 @@ ArcLengthMetric::ArcLengthMetric(const ParametrisedProblem &problem)
     : weights(problem.weights())
     , parameter_scale(problem.parameter_scale())
 {
+  PELLICLE_ASSERT(parameter_scale > 0., "the scale of the parameter must be positive");
 }
 
 double ArcLengthMetric::product(const Tangent &a, const Tangent &b) const
@@ -30,14 +32,19 @@ double ArcLengthMetric::product(const Tangent &a, const Tangent &b) const
   return sum;
 }
 
+double ArcLengthMetric::length(const Tangent &a) const
+{
+  return std::sqrt(product(a, a));
+}
+
 void ArcLengthMetric::normalize(Tangent &tangent) const
 {
-  const double length = std::sqrt(product(tangent, tangent));
-  if (!std::isfinite(length) || length == 0.)
+  const double norm = length(tangent);
+  if (!std::isfinite(norm) || norm == 0.)
     throw SolveError("the tangent of the branch has no length");
   for (double &d : tangent.direction)
-    d /= length;
-  tangent.parameter /= length;
+    d /= norm;
+  tangent.parameter /= norm;
 }
 
 Border ArcLengthMetric::orthogonality(const Tangent &tangent) const
@@ -49,15 +56,34 @@ Border ArcLengthMetric::orthogonality(const Tangent &tangent) const
   return border;
 }
 
+void StationaryProblem::linearize()
+{
+  inner.linearize();
+  accepted.resize(inner.residual().size(), 0.);
+}
+
 double StationaryProblem::try_step(const std::vector<double> &direction, const double length)
 {
+  trial = direction;
+  for (double &t : trial)
+    t *= length;
   return std::isfinite(inner.try_step(direction, length)) ? 0. : std::numeric_limits<double>::infinity();
 }
 
-ArcLengthProblem::ArcLengthProblem(ParametrisedProblem &problem, const ArcLengthMetric &metric, const Tangent &tangent)
+void StationaryProblem::accept_trial()
+{
+  inner.accept_trial();
+  for (std::size_t i = 0; i < accepted.size(); ++i)
+    accepted[i] += trial[i];
+}
+
+ArcLengthProblem::ArcLengthProblem(ParametrisedProblem &problem, const ArcLengthMetric &metric, const Tangent &tangent,
+                                   const double reach)
     : StationaryProblem(problem)
     , problem(problem)
+    , metric(metric)
     , tangent(tangent)
+    , reach(reach)
     , arc_border(metric.orthogonality(tangent))
 {
 }
@@ -71,13 +97,14 @@ bool ArcLengthProblem::predict(const double length)
     s *= length;
   if (!std::isfinite(try_step(step, 1.)))
     return false;
-  accept_trial();
+  take_trial();
+  predicted_parameter = problem.parameter();
   return true;
 }
 
 void ArcLengthProblem::linearize()
 {
-  problem.linearize();
+  StationaryProblem::linearize();
   arc_border.column = problem.residual_derivative();
   extended_residual = problem.residual();
   extended_residual.push_back(0.);
@@ -90,10 +117,18 @@ double ArcLengthProblem::try_step(const std::vector<double> &direction, const do
   return StationaryProblem::try_step(without_parameter(direction), length);
 }
 
+void ArcLengthProblem::take_trial()
+{
+  StationaryProblem::accept_trial();
+  problem.set_parameter(trial_parameter);
+}
+
 void ArcLengthProblem::accept_trial()
 {
-  problem.accept_trial();
-  problem.set_parameter(trial_parameter);
+  take_trial();
+  const double offset = metric.length({moved(), problem.parameter() - predicted_parameter});
+  if (offset > reach)
+    throw SolveError("the correction of the predicted state is too long, " + exact_text(offset));
 }
 
 double ArcLengthProblem::displacement(const std::vector<double> &direction) const

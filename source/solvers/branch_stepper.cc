@@ -13,6 +13,27 @@ namespace
 {
 constexpr double degree = 0.017453292519943295; // radian
 
+/** Counts also the iterations of a solve that ends with an exception. */
+class IterationCounter : public Observer
+{
+public:
+  IterationCounter(Observer &receiver, int &count)
+      : receiver(receiver)
+      , count(count)
+  {
+  }
+
+  void on_iteration(const IterationReport &report) override
+  {
+    count = report.iteration;
+    receiver.on_iteration(report);
+  }
+
+private:
+  Observer &receiver;
+  int &count;
+};
+
 void reverse(Tangent &tangent)
 {
   for (double &d : tangent.direction)
@@ -24,7 +45,8 @@ void reverse(Tangent &tangent)
 BranchStepper::BranchStepper(ParametrisedProblem &problem, const ContinuationParameters &parameters,
                              const NewtonParameters &newton, LinearSolver &solver, Timing &timing, Observer &observer)
     : problem(problem)
-    , largest_turn(parameters.largest_turn * degree)
+    , largest_turn(parameters.largest_turn)
+    , smallest_step(parameters.smallest_step)
     , corrector(newton)
     , solver(solver)
     , timing(timing)
@@ -94,7 +116,7 @@ std::optional<BranchState> BranchStepper::step(const double length)
       [&]
       {
         problem.recall();
-        ArcLengthProblem equations(problem, *metric, at.tangent);
+        ArcLengthProblem equations(problem, *metric, at.tangent, reach(length));
         if (!equations.predict(length))
           throw SolveError("the predicted state makes no sense");
         BorderedSolver bordered(solver, equations.border());
@@ -108,11 +130,14 @@ std::optional<BranchState> BranchStepper::land(const double length, const double
       [&]
       {
         problem.recall();
-        if (!ArcLengthProblem(problem, *metric, at.tangent).predict(length))
+        if (!ArcLengthProblem(problem, *metric, at.tangent, reach(length)).predict(length))
           throw SolveError("the predicted state makes no sense");
         problem.set_parameter(parameter);
         StationaryProblem equations(problem);
-        return arrival(correct(equations, solver));
+        const int iterations = correct(equations, solver);
+        if (metric->length({equations.moved(), 0.}) > reach(length))
+          throw SolveError("the equilibrium is far from the branch");
+        return arrival(iterations);
       });
 }
 
@@ -133,9 +158,9 @@ std::optional<BranchState> BranchStepper::attempt(const std::function<BranchStat
 
 int BranchStepper::correct(EquilibriumProblem &equations, LinearSolver &linear_solver)
 {
+  IterationCounter counter(observer, iterations_of_point);
   const NewtonResult result =
-      Newton(corrector, linear_solver, timing).solve(equations, point, observer, iterations_of_point);
-  iterations_of_point += result.iterations;
+      Newton(corrector, linear_solver, timing).solve(equations, point, counter, iterations_of_point);
   if (result.converged)
     return result.iterations;
   if (result.iterations == corrector.max_iterations)
@@ -160,6 +185,11 @@ BranchState BranchStepper::state_here()
   return state;
 }
 
+double BranchStepper::reach(const double length) const
+{
+  return std::tan(largest_turn * degree) * std::max(length, smallest_step);
+}
+
 BranchState BranchStepper::arrival(const int iterations)
 {
   BranchState state    = state_here();
@@ -171,9 +201,9 @@ BranchState BranchStepper::arrival(const int iterations)
     cosine = -cosine;
   }
   state.turn = std::acos(std::min(cosine, 1.));
-  if (state.turn > largest_turn)
+  if (state.turn > largest_turn * degree)
     throw SolveError("the branch turns by " + std::to_string(std::lround(state.turn / degree)) +
-                     " degrees in one step, more than the largest turn of " + exact_text(largest_turn / degree));
+                     " degrees in one step, more than the largest turn of " + exact_text(largest_turn));
   state.slope = state.tangent.parameter / cosine;
   return state;
 }

@@ -56,11 +56,14 @@ private:
   int correct(EquilibriumProblem &equations, LinearSolver &linear_solver);
   /** At the linearised state. The tangent is normalised, its sense is not chosen. Throws SolveError at a fold. */
   BranchState state_here();
-  /** The state a step from the base has come to. Throws SolveError if it turns too much. */
+  /** The state a step from the base has come to. Throws SolveError if the branch turns too much on the way. */
   BranchState arrival(int iterations);
+  /** The longest correction of a step: the chord of an arc turns less than the tangent along it. */
+  double reach(double length) const;
 
   ParametrisedProblem &problem;
-  const double largest_turn;
+  const double largest_turn; ///< degrees
+  const double smallest_step;
   NewtonParameters corrector;
   LinearSolver &solver;
   Timing &timing;

@@ -58,7 +58,7 @@ TEST(BorderedSolver, SolvesWithBorderOfAnyKind)
 }
 
 // H D H with a reflection H = 1 - 2 q q^T: eigenvalues D, the first of which is nearly zero. Elimination alone loses
-// ten to twelve digits.
+// eight to ten digits.
 TEST(BorderedSolver, IsAccurateNextToAFold)
 {
   const int n           = 30;
@@ -71,7 +71,7 @@ TEST(BorderedSolver, IsAccurateNextToAFold)
   int rank = 0, n_processes = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &n_processes);
-  for (const double small : {1e-10, -1e-12})
+  for (const double small : {1e-8, -1e-10})
     for (const MatrixSymmetry symmetry : {MatrixSymmetry::symmetric, MatrixSymmetry::general})
     {
       MatrixBuilder whole(symmetry, n), share(symmetry, n);
@@ -86,7 +86,7 @@ TEST(BorderedSolver, IsAccurateNextToAFold)
         }
       const Border border{random_vector(n, 2), random_vector(n, 3), 0.1};
       for (const std::string &name : solvers_for_this_run())
-        expect_solves(*make_linear_solver(name), whole.matrix(), share.matrix(), border, 1e-10);
+        expect_solves(*make_linear_solver(name), whole.matrix(), share.matrix(), border, 1e-11);
     }
 }
 } // namespace

@@ -22,6 +22,7 @@ public:
   explicit ArcLengthMetric(const ParametrisedProblem &problem);
 
   double product(const Tangent &a, const Tangent &b) const;
+  double length(const Tangent &a) const;
   /** Scales to length one. Throws SolveError if the length is zero or not finite. */
   void normalize(Tangent &tangent) const;
   /** Row and corner of the equation <tangent, .> = 0; no column. */
@@ -34,7 +35,7 @@ private:
 
 /**
  * The same equations without a merit: Newton's method takes full steps and converges to minima and saddles alike.
- * Unstable branches consist of the latter.
+ * Unstable branches consist of the latter. Adds up the accepted steps, for who wants to know how far it went.
  */
 class StationaryProblem : public EquilibriumProblem
 {
@@ -44,7 +45,7 @@ public:
   {
   }
 
-  void linearize() override { inner.linearize(); }
+  void linearize() override;
   const SparseMatrix &matrix() const override { return inner.matrix(); }
   const std::vector<double> &residual() const override { return inner.residual(); }
   double relative_residual() const override { return inner.relative_residual(); }
@@ -56,12 +57,16 @@ public:
   double merit(const std::vector<double> &) const override { return 0.; }
   /** Zero, or infinite if the trial makes no sense. */
   double try_step(const std::vector<double> &direction, double length) override;
-  void accept_trial() override { inner.accept_trial(); }
+  void accept_trial() override;
   double displacement(const std::vector<double> &direction) const override { return inner.displacement(direction); }
   double energy() const override { return inner.energy(); }
 
+  /** Sum of the accepted steps since the first linearisation. */
+  const std::vector<double> &moved() const { return accepted; }
+
 private:
   EquilibriumProblem &inner;
+  std::vector<double> trial, accepted;
 };
 
 /**
@@ -75,7 +80,9 @@ private:
 class ArcLengthProblem : public StationaryProblem
 {
 public:
-  ArcLengthProblem(ParametrisedProblem &problem, const ArcLengthMetric &metric, const Tangent &tangent);
+  /** Keeps references to all three. reach: the length of the correction beyond which it gives up, see accept_trial().
+   */
+  ArcLengthProblem(ParametrisedProblem &problem, const ArcLengthMetric &metric, const Tangent &tangent, double reach);
 
   /** Moves from the present state along the tangent; false (and still there) if that makes no sense. */
   bool predict(double length);
@@ -85,15 +92,23 @@ public:
   void linearize() override;
   const std::vector<double> &residual() const override { return extended_residual; }
   double try_step(const std::vector<double> &direction, double length) override;
+  /**
+   * Throws SolveError when the correction, from the predicted state on, is longer than the reach: the plane may meet
+   * the branch again far away, and Newton's method may go there.
+   */
   void accept_trial() override;
   /** The larger of the nodes' displacement and |dp|/scale: a state whose parameter moves is not at rest. */
   double displacement(const std::vector<double> &direction) const override;
 
 private:
+  void take_trial();
+
   ParametrisedProblem &problem;
+  const ArcLengthMetric &metric;
   const Tangent &tangent;
+  const double reach;
   Border arc_border;
   std::vector<double> extended_residual;
-  double trial_parameter = 0.;
+  double trial_parameter = 0., predicted_parameter = 0.;
 };
 } // namespace pellicle

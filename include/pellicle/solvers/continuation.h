@@ -87,9 +87,9 @@ struct ContinuationResult
  *
  * A step of length s goes along the unit tangent t, K w = -dR/dp, t = (w, 1)/|(w, 1)|, and back to the branch in the
  * plane orthogonal to t. It is halved when the corrector fails (also in more than three times the wanted iterations) or
- * when the tangent turns by more than `largest_turn`, a sign of another branch. The next one is longer or shorter, by
- * not more than a factor of two, in proportion to wanted over needed iterations, and such that a tangent that bends as
- * before turns by half of the allowed angle.
+ * when the tangent, or the way to the new point, turns by more than `largest_turn`: a sign of another branch. The next
+ * one is longer or shorter, by not more than a factor of two, in proportion to wanted over needed iterations, and such
+ * that a tangent that bends as before turns by half of the allowed angle.
  *
  * Between two points with opposite signs of dp/ds there is a fold. It is located as a point of its own, with an error
  * of p of second order in what is left of dp/ds: below 1e-10 scales, and not better than Newton/Tolerance allows. A
