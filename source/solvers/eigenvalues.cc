@@ -16,7 +16,7 @@ namespace
 {
 constexpr int n_lowerings      = 13;  // tenfold each: from scale to 10^12 scale
 constexpr int n_approaches     = 8;   // of the shift to the spectrum
-constexpr int hasty_restarts   = 10;  // of Lanczos' method before the shift is moved nearer
+constexpr int hasty_restarts   = 3;   // of Lanczos' method before the shift is moved nearer
 constexpr int patient_restarts = 300; // when it is not moved any more
 // Eigenvalues whose distances from the shift differ by more have inverses that differ by digits ARPACK should not lose.
 constexpr double largest_spread = 1e4;
@@ -158,10 +158,10 @@ private:
     keep(result);
   }
 
-  /** Moves the shift up, as far as nine tenths of the way to a Ritz value (never below the lowest eigenvalue). */
+  /** Moves the shift up, nearly to a Ritz value (never below the lowest eigenvalue). */
   bool move_towards(const double ritz_value)
   {
-    for (const double way : {0.9, 0.5, 0.1})
+    for (const double way : {0.99, 0.9, 0.5})
       if (const double s = shift + way * (ritz_value - shift); count_below(s) == 0)
       {
         shift = s;

@@ -18,6 +18,7 @@ namespace pellicle::internal
 namespace
 {
 constexpr double ritz_tolerance = 1e-12; // relative accuracy of a Ritz value at which ARPACK takes it for converged
+constexpr double round_off      = 1e-13; // a Ritz value this small relative to the first is zero
 
 // ARPACK's status
 constexpr int finished         = 0;
@@ -140,16 +141,27 @@ private:
   int target       = 0;
 };
 
-/** Vector i of those stored one after the other, M-normalised. */
-std::vector<double> normalised(const LanczosOperator &map, const std::vector<double> &vectors, const int i)
+/**
+ * Vector i of those stored one after the other, M-normalised. Unknowns without mass are invisible in Lanczos' inner
+ * product and carry more round-off than the others: one inverse iteration gives them the values that go with the mass
+ * (Nour-Omid, Parlett, Ericsson, Jensen: How to implement the spectral transformation, Math. Comp. 48 (1987) 663).
+ */
+std::vector<double> purified(const LanczosOperator &map, const std::vector<double> &vectors, const int i)
 {
-  const auto first = vectors.begin() + std::ptrdiff_t(i) * map.size;
-  std::vector<double> u(first, first + map.size), Mu(map.size);
+  std::vector<double> u(map.size), Mu(map.size);
+  map.mass(&vectors[std::size_t(i) * map.size], u.data());
+  map.solve(u);
   map.mass(u.data(), Mu.data());
   const double norm = std::sqrt(std::inner_product(u.begin(), u.end(), Mu.begin(), 0.));
   for (double &entry : u)
     entry /= norm;
   return u;
+}
+
+[[noreturn]] void fail_for_want_of_eigenvalues(const int n_existing, const int n_wanted)
+{
+  throw SolveError("There are only " + std::to_string(n_existing) + " finite eigenvalues, " + std::to_string(n_wanted) +
+                   " are wanted: that must be fewer than there are.");
 }
 } // namespace
 
@@ -160,8 +172,7 @@ LanczosResult lanczos(const LanczosOperator &map, const int n, const int max_res
   for (;;)
   {
     if (n >= n_vectors)
-      throw SolveError("There are only " + std::to_string(std::max(n_vectors, 0)) + " finite eigenvalues, " +
-                       std::to_string(n) + " are wanted: that must be fewer than there are.");
+      fail_for_want_of_eigenvalues(std::max(n_vectors, 0), n);
     Arpack arpack(map, n, n_vectors, max_restarts);
     int dimension    = 0;
     const int status = arpack.iterate(dimension);
@@ -183,8 +194,10 @@ LanczosResult lanczos(const LanczosOperator &map, const int n, const int max_res
       result.converged              = true;
       for (int i = 0; i < n; ++i)
       {
+        if (std::abs(inverse[0]) < round_off * std::abs(inverse[i]))
+          fail_for_want_of_eigenvalues(i, n);
         result.values.push_back(1. / inverse[i]);
-        result.vectors.push_back(normalised(map, vectors, i));
+        result.vectors.push_back(purified(map, vectors, i));
       }
       return result;
     }

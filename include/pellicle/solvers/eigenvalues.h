@@ -19,7 +19,7 @@ struct Eigenpairs
 
 /** Largest relative residual of an eigenpair: |K u - mu M u| over | |K| |u| + |mu| |M| |u| |, Euclidean norms of the
  * vectors of entrywise absolute values; with several processes |K| is the sum of the processes' |K|. */
-constexpr double eigenpair_tolerance = 1e-9;
+constexpr double eigenpair_tolerance = 1e-10;
 
 /**
  * The n algebraically lowest finite eigenvalues of K u = mu M u with eigenvectors. Unknowns without mass (internal
@@ -33,6 +33,7 @@ constexpr double eigenpair_tolerance = 1e-9;
  * does. At the end the number below the largest eigenvalue found (by a millionth of its distance from s, more if
  * eigenvalues crowd there) is compared with what was found; if a copy of a multiple eigenvalue is missing, it is
  * searched for in the complement of the others. Zero eigenvalues of K (rigid motions) need no care.
+ * The cost is one factorisation more than it takes to find the shift, and some 2 n + 20 solves.
  *
  * Every process calls it and gets the same result.
  *
@@ -45,7 +46,7 @@ constexpr double eigenpair_tolerance = 1e-9;
  *
  * Throws SolveError if the solver has no inertia, if K - s M is singular for every shift tried, if the count of
  * negative eigenvalues never comes down to n_expected_negative or lies below it, if Lanczos' method does not converge,
- * if fewer than n + 1 eigenvalues exist, and if an eigenpair's residual exceeds eigenpair_tolerance.
+ * if fewer than n eigenvalues exist, and if an eigenpair's residual exceeds eigenpair_tolerance.
  */
 Eigenpairs lowest_eigenpairs(const SparseMatrix &K, const SparseMatrix &M, LinearSolver &solver,
                              int n_expected_negative, unsigned int n, double scale);
