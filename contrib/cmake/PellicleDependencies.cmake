@@ -57,6 +57,15 @@ if(NOT _blas_file MATCHES "openblas")
                   "On Debian: apt-get install libopenblas0-pthread")
 endif()
 
+# Eigenvalues. deal.II is linked with it, too, so that it costs no time at the start of a program.
+find_path(PELLICLE_ARPACK_INCLUDE arpack.h PATH_SUFFIXES arpack REQUIRED)
+find_library(PELLICLE_ARPACK arpack REQUIRED)
+if(NOT TARGET pellicle_arpack)
+  add_library(pellicle_arpack INTERFACE IMPORTED)
+  set_property(TARGET pellicle_arpack PROPERTY INTERFACE_INCLUDE_DIRECTORIES "${PELLICLE_ARPACK_INCLUDE}")
+  set_property(TARGET pellicle_arpack PROPERTY INTERFACE_LINK_LIBRARIES "${PELLICLE_ARPACK}")
+endif()
+
 find_dependency(Eigen3)
 find_dependency(nlohmann_json)
 find_dependency(CLI11)
