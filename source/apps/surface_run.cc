@@ -228,13 +228,13 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
     result.unknowns.blocks.emplace_back(name, n);
     result.unknowns.total += n;
   }
-  // Last, for it looks at the state in a chart of its own.
-  if (result.status == RunStatus::converged && first.has_analysis("stability"))
-    if (const std::optional<int> negative = model.negative_eigenvalues())
-    {
-      result.stability                       = StabilityCounts{};
-      result.stability->negative_eigenvalues = *negative;
-    }
+  if (const std::optional<Stability> &stability = model.stability())
+  {
+    result.stability                       = StabilityCounts{};
+    result.stability->negative_eigenvalues = stability->negative_eigenvalues;
+    for (const double eigenvalue : stability->lowest)
+      result.stability->lowest.push_back(eigenvalue * model.scales().of({1, -4}));
+  }
   return result;
 }
 } // namespace pellicle

@@ -31,66 +31,67 @@ std::vector<std::size_t> distant_constraints(const PotentialSet &set, const Term
 } // namespace
 
 EquilibriumSearch::EquilibriumSearch(const NewtonParameters &newton, SurfaceProblem &problem, LinearSolver &solver,
-                                     Timing &timing)
+                                     Timing &timing, const NodalVectors &mesh_reference, const int step,
+                                     Observer &observer)
     : newton(newton)
     , problem(problem)
     , solver(solver)
     , timing(timing)
+    , mesh_reference(mesh_reference)
+    , step(step)
+    , observer(observer)
 {
 }
 
-StepResult EquilibriumSearch::run(const NodalVectors &reference, const int step_number, Observer &reports)
+bool EquilibriumSearch::run()
 {
-  mesh_reference = &reference;
-  observer       = &reports;
-  step           = step_number;
-  result         = {};
-
   const std::vector<std::size_t> distant = distant_constraints(problem.potentials(), problem.values());
-  if (distant.empty())
-    in_charts();
-  else
-    approach(distant);
-  return result;
+  return distant.empty() ? in_charts(newton.chart) : approach(distant);
+}
+
+bool EquilibriumSearch::descend()
+{
+  return in_charts(is_reparametrisation_invariant(problem.potentials()) ? "graph then ale" : "automatic");
 }
 
 bool EquilibriumSearch::iterate(const PositionChart chart, const int max_iterations)
 {
   NewtonParameters parameters = newton;
   parameters.max_iterations   = max_iterations;
-  problem.use_chart(chart, *mesh_reference);
+  problem.use_chart(chart, mesh_reference);
   Newton method(parameters, solver, timing);
-  const NewtonResult outcome = method.solve(problem, step, *observer, result.iterations);
-  result.iterations += outcome.iterations;
-  result.rejected += outcome.rejected;
-  result.converged         = outcome.converged;
-  result.failure           = outcome.failure;
-  result.relative_residual = outcome.relative_residual;
-  return outcome.converged;
+  const NewtonResult result = method.solve(problem, step, observer, outcome.iterations);
+  outcome.iterations += result.iterations;
+  outcome.rejected += result.rejected;
+  outcome.converged         = result.converged;
+  outcome.failure           = result.failure;
+  outcome.relative_residual = result.relative_residual;
+  return result.converged;
 }
 
 void EquilibriumSearch::polish()
 {
   const SurfaceState graph    = problem.state();
-  const double graph_residual = result.relative_residual;
+  const double graph_residual = outcome.relative_residual;
   if (iterate(PositionChart::ale, newton.max_iterations))
     return;
-  result.warnings.push_back("The polishing in the ALE chart did not converge (" + result.failure +
-                            "): the equilibrium in the normal-graph chart is reported. More cells or load steps help.");
-  result.converged         = true;
-  result.failure           = "";
-  result.relative_residual = graph_residual;
+  outcome.warnings.push_back(
+      "The polishing in the ALE chart did not converge (" + outcome.failure +
+      "): the equilibrium in the normal-graph chart is reported. More cells or load steps help.");
+  outcome.converged         = true;
+  outcome.failure           = "";
+  outcome.relative_residual = graph_residual;
   problem.set_state(graph);
 }
 
-bool EquilibriumSearch::in_charts()
+bool EquilibriumSearch::in_charts(const std::string &charts)
 {
   const SurfaceState before = problem.state();
-  if (newton.chart == "graph")
+  if (charts == "graph")
     return iterate(PositionChart::graph, newton.max_iterations);
-  if (newton.chart == "ale")
+  if (charts == "ale")
     return iterate(PositionChart::ale, newton.max_iterations);
-  if (newton.chart == "automatic")
+  if (charts == "automatic")
   {
     if (!is_reparametrisation_invariant(problem.potentials()))
       return iterate(PositionChart::material, newton.max_iterations);
@@ -115,7 +116,7 @@ bool EquilibriumSearch::approach(const std::vector<std::size_t> &distant)
     for (const std::size_t k : distant)
       without.constraints[k].stiffness = released;
     problem.set_potentials(without);
-    if (!in_charts())
+    if (!in_charts(newton.chart))
       return false;
   }
   const std::vector<double> start = problem.values().constraints;
@@ -134,7 +135,7 @@ bool EquilibriumSearch::approach(const std::vector<std::size_t> &distant)
                                    partial.constraints[k].target =
                                        start[k] + t * (wanted.constraints[k].target - start[k]);
                                  problem.set_potentials(partial);
-                                 if (in_charts())
+                                 if (in_charts(newton.chart))
                                    return true;
                                  problem.set_state(before);
                                  return false;
@@ -143,10 +144,10 @@ bool EquilibriumSearch::approach(const std::vector<std::size_t> &distant)
   if (end < 1.)
   {
     const Constraint &constraint = wanted.constraints[distant.front()];
-    result.converged             = false;
-    result.failure               = "the target of the " + constraint.quantity + " could be approached only up to " +
-                     std::to_string(static_cast<int>(100. * std::max(end, 0.))) + " % of the way from its free value";
+    outcome.converged            = false;
+    outcome.failure              = "the target of the " + constraint.quantity + " could be approached only up to " +
+                      std::to_string(static_cast<int>(100. * std::max(end, 0.))) + " % of the way from its free value";
   }
-  return result.converged;
+  return outcome.converged;
 }
 } // namespace pellicle

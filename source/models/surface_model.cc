@@ -58,6 +58,8 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
     , unit(scene.scales())
     , timing(timing)
     , discretization(make_start_shape(scene.start_shape()))
+    , stability_parameters(scene.stability)
+    , analyses_stability(scene.has_analysis("stability"))
 {
   centroid = normalise(discretization, unit.length);
   add_node_noise(scene.vesicle);
@@ -164,14 +166,53 @@ StepResult SurfaceModel::solve(const int step, Observer &observer)
                                           ? discretization.mesh_reference
                                           : before.fields[0];
   InUsersUnits energies(observer, unit);
-  EquilibriumSearch search(newton, *problem, *solver, timing);
-  const StepResult result = search.run(mesh_reference, step, energies);
-  if (!result.converged)
+  EquilibriumSearch search(newton, *problem, *solver, timing, mesh_reference, step, energies);
+  last_stability.reset();
+  search.run();
+  count_unknowns();
+  if (search.result().converged && analyses_stability)
+    look_at_stability(search);
+  if (!search.result().converged)
   {
     last_iterate = problem->state();
     problem->set_state(before);
   }
-  return result;
+  return search.result();
+}
+
+// And, if that is wanted, along the mode of the lowest eigenvalue, then downhill, until there is none below zero. The
+// modes of one state show how it is left, not where that leads: the next state may have unstable modes of its own.
+void SurfaceModel::look_at_stability(EquilibriumSearch &search)
+{
+  constexpr int most_descents = 8;
+  constexpr double amplitude  = 0.05; // largest displacement, internal length
+  const bool follow           = stability_parameters.follow_unstable_mode;
+  for (int descents = 0;; ++descents)
+  {
+    const SurfaceState equilibrium = problem->state();
+    last_stability                 = analyse_stability(
+                        *problem, *solver, static_cast<unsigned int>(std::max(stability_parameters.eigenvalues, follow ? 1 : 0)));
+    problem->set_state(equilibrium);
+    if (!last_stability || last_stability->negative_eigenvalues == 0)
+      return;
+    if (!follow || descents == most_descents)
+    {
+      search.warn("The equilibrium is unstable: " + std::to_string(last_stability->negative_eigenvalues) +
+                  " negative eigenvalues of the second variation." +
+                  (follow ? "" : " Stability/Follow unstable mode = true goes downhill from it."));
+      return;
+    }
+    const NodalVectors &mode = last_stability->modes.front();
+    double largest           = 0.;
+    for (const double component : mode)
+      largest = std::max(largest, std::abs(component));
+    SurfaceState displaced = equilibrium;
+    for (std::size_t i = 0; i < mode.size(); ++i)
+      displaced.fields[0][i] += amplitude / largest * mode[i];
+    problem->set_state(displaced);
+    if (!search.descend())
+      return;
+  }
 }
 
 void SurfaceModel::show_last_iterate()
@@ -189,26 +230,15 @@ void SurfaceModel::show_last_iterate()
   }
 }
 
-std::optional<int> SurfaceModel::negative_eigenvalues()
-{
-  problem->use_chart(PositionChart::graph, problem->state().fields[0]);
-  problem->linearize();
-  solver->factorize(problem->matrix());
-  if (const std::optional<Inertia> inertia = solver->inertia())
-    return inertia->negative - problem->expected_negative_pivots();
-  return std::nullopt;
-}
-
-std::vector<std::pair<std::string, std::size_t>> SurfaceModel::unknown_counts() const
+void SurfaceModel::count_unknowns()
 {
   const Numbering &numbering = problem->numbering();
-  std::vector<std::pair<std::string, std::size_t>> counts;
+  last_unknown_counts.clear();
   for (std::size_t f = 0; f < problem->layout().fields().size(); ++f)
-    counts.emplace_back(problem->layout().fields()[f].name, numbering.n_unknowns_of(f));
+    last_unknown_counts.emplace_back(problem->layout().fields()[f].name, numbering.n_unknowns_of(f));
   if (numbering.n_constraints > 0)
-    counts.emplace_back("multipliers", numbering.n_constraints);
+    last_unknown_counts.emplace_back("multipliers", numbering.n_constraints);
   if (numbering.n_rigid > 0)
-    counts.emplace_back("rigid motions", numbering.n_rigid);
-  return counts;
+    last_unknown_counts.emplace_back("rigid motions", numbering.n_rigid);
 }
 } // namespace pellicle

@@ -77,19 +77,18 @@ double energy_of_self_terms(const TermValues &values, const std::vector<double> 
 SurfaceProblem::SurfaceProblem(const SurfaceDiscretization &discretization, PotentialSet potential_set,
                                NodalConditions nodal_conditions, const Communicator &communicator,
                                std::string linear_solver, Timing &timing)
-    : discretization(discretization)
+    : surface(discretization)
     , set(std::move(potential_set))
     , conditions(std::move(nodal_conditions))
     , communicator(communicator)
     , timing(timing)
     , field_layout(set)
-    , assembler(discretization, field_layout, set, communicator, Assembler::everything(set, field_layout))
-    , elimination(discretization, field_layout, set, conditions, communicator, linear_solver, timing)
+    , assembler(surface, field_layout, set, communicator, Assembler::everything(set, field_layout))
+    , elimination(surface, field_layout, set, conditions, communicator, linear_solver, timing)
 {
   SurfaceState start;
   for (const Field &field : field_layout.fields())
-    start.fields.push_back(field.name == "position" ? discretization.positions
-                                                    : NodalVectors(3 * discretization.n_nodes, 0.));
+    start.fields.push_back(field.name == "position" ? surface.positions : NodalVectors(3 * surface.n_nodes, 0.));
   start.multipliers.assign(set.constraints.size(), 0.);
   set_state(std::move(start));
 }
@@ -113,35 +112,34 @@ void SurfaceProblem::set_state(SurfaceState state)
 void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors &mesh_reference)
 {
   chart = new_chart;
-  current.rigid_reactions.assign(discretization.rigid_motions.size(), 0.);
+  current.rigid_reactions.assign(surface.rigid_motions.size(), 0.);
   if (chart != PositionChart::material && !is_reparametrisation_invariant(set))
     throw UserError("Newton/Chart = ale and graph keep the nodes from following tangential forces, but a listed effect "
                     "acts tangentially (it refers to material points). Use Newton/Chart = automatic.");
   if (chart == PositionChart::ale)
   {
     mesh_set = {};
-    mesh_set.energies.push_back(make_mesh_distortion(reference_metric(discretization, mesh_reference)));
+    mesh_set.energies.push_back(make_mesh_distortion(reference_metric(surface, mesh_reference)));
     mesh_layout    = std::make_unique<FieldLayout>(mesh_set);
-    mesh_assembler = std::make_unique<Assembler>(discretization, *mesh_layout, mesh_set, communicator,
+    mesh_assembler = std::make_unique<Assembler>(surface, *mesh_layout, mesh_set, communicator,
                                                  Assembler::everything(mesh_set, *mesh_layout));
   }
 
   system = std::make_unique<BorderedSystem>(
-      discretization, Numbering(charts_here(), set.constraints.size(), discretization.rigid_motions.size()),
-      communicator);
+      surface, Numbering(charts_here(), set.constraints.size(), surface.rigid_motions.size()), communicator);
   renew_gauge();
 }
 
 std::vector<NodalChart> SurfaceProblem::charts_here() const
 {
-  const NodalVectors normals = nodal_normals(discretization, current.fields[0]);
+  const NodalVectors normals = nodal_normals(surface, current.fields[0]);
   std::vector<NodalChart> charts;
   for (const Field &field : field_layout.fields())
   {
     const bool everything = field.name != "position" || chart == PositionChart::material;
-    charts.push_back(everything                      ? free_chart(discretization)
-                     : chart == PositionChart::graph ? graph_chart(discretization, current.fields[0], normals)
-                                                     : ale_chart(discretization, current.fields[0], normals));
+    charts.push_back(everything                      ? free_chart(surface)
+                     : chart == PositionChart::graph ? graph_chart(surface, current.fields[0], normals)
+                                                     : ale_chart(surface, current.fields[0], normals));
     apply_conditions(conditions, field.name, charts.back());
   }
   return charts;
@@ -150,8 +148,8 @@ std::vector<NodalChart> SurfaceProblem::charts_here() const
 // Weights and rigid motions of the present shape.
 void SurfaceProblem::renew_gauge()
 {
-  node_areas       = nodal_areas(discretization, current.fields[0]);
-  rigid_directions = weighted_rigid_motions(discretization, current.fields[0], node_areas);
+  node_areas       = nodal_areas(surface, current.fields[0]);
+  rigid_directions = weighted_rigid_motions(surface, current.fields[0], node_areas);
   moved_in_chart   = 0.;
 }
 
@@ -171,7 +169,7 @@ double SurfaceProblem::constraint_residual(const std::size_t k, const TermValues
 SurfaceProblem::NodalForces SurfaceProblem::nodal_forces() const
 {
   const Timing::Scope scope(timing, "assembly");
-  const std::size_t n = 3 * discretization.n_nodes;
+  const std::size_t n = 3 * surface.n_nodes;
   NodalForces forces{NodalVectors(n, 0.), std::vector<NodalVectors>(set.constraints.size(), NodalVectors(n, 0.))};
   const auto add = [](const Cell &cell, const std::vector<double> &gradient, NodalVectors &sum)
   {
@@ -238,7 +236,7 @@ void SurfaceProblem::add_drag(const double zeta)
 {
   const Numbering &numbering = system->numbering();
   std::vector<double> weights(numbering.n_nodal, 0.);
-  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+  for (std::size_t I = 0; I < surface.n_nodes; ++I)
     for (unsigned int a = 0; a < numbering.count(0, I); ++a)
       weights[numbering.first_of(0, I) + a] += node_areas[I];
   system->add_to_diagonal(weights, zeta);
@@ -344,10 +342,9 @@ void SurfaceProblem::accept_trial()
 
 double SurfaceProblem::displacement(const std::vector<double> &direction) const
 {
-  NodalVectors move(3 * discretization.n_nodes, 0.);
-  system->prolongate(direction, 1., 0, move);
-  double largest = 0.;
-  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+  const NodalVectors move = displacements(direction);
+  double largest          = 0.;
+  for (std::size_t I = 0; I < surface.n_nodes; ++I)
   {
     const double length =
         std::sqrt(move[3 * I] * move[3 * I] + move[3 * I + 1] * move[3 * I + 1] + move[3 * I + 2] * move[3 * I + 2]);
@@ -355,6 +352,13 @@ double SurfaceProblem::displacement(const std::vector<double> &direction) const
       largest = length;
   }
   return largest;
+}
+
+NodalVectors SurfaceProblem::displacements(const std::vector<double> &direction) const
+{
+  NodalVectors move(3 * surface.n_nodes, 0.);
+  system->prolongate(direction, 1., 0, move);
+  return move;
 }
 
 double SurfaceProblem::energy() const

@@ -128,6 +128,10 @@ SurfaceSample SurfaceModel::sample() const
     fields.push_back(
         {problem->layout().fields()[f].name, 3, scaled_values(state.fields[f], unit.of(dimensions::line_tension))});
 
+  if (last_stability)
+    for (std::size_t k = 0; k < last_stability->modes.size(); ++k)
+      fields.push_back({"mode_" + std::to_string(k + 1), 3, last_stability->modes[k]});
+
   NodalVectors positions = scaled_values(state.fields[0], unit.length);
   for (std::size_t i = 0; i < positions.size(); ++i)
     positions[i] += centroid[i % 3];

@@ -68,6 +68,7 @@ std::vector<ParameterSection> SurfaceScene::sections()
     add(section_name(effect->name()), *effect);
   add("Load", load);
   add("Newton", newton);
+  add("Stability", stability);
   add("Output", output);
   return all;
 }
@@ -98,13 +99,16 @@ void SurfaceScene::check() const
     throw UserError("Vesicle/Reduced volume = 1 with both area and volume constraint: only the sphere has it, and "
                     "there the two constraints are not "
                     "independent. Use a value below 1, or drop one of the two constraints.");
+  if (stability.follow_unstable_mode && !has_analysis("stability"))
+    throw UserError("Stability/Follow unstable mode needs the stability of each equilibrium: list it, 'set Analyses = "
+                    "stability'.");
   if (load.parameter.empty() && !(load.from.empty() && load.to.empty()))
     throw UserError("Section Load: 'From' or 'To' is set, but 'Parameter' names no parameter.");
   if (!load.parameter.empty() && load.to.empty())
     throw UserError("Section Load: 'Parameter' is '" + load.parameter + "', but 'To' gives no value.");
   if (load.parameter.rfind("Mesh/", 0) == 0 || load.parameter.rfind("Newton/", 0) == 0 ||
-      load.parameter.rfind("Output/", 0) == 0 || load.parameter.rfind("Load/", 0) == 0 ||
-      load.parameter == "Vesicle/Area")
+      load.parameter.rfind("Output/", 0) == 0 || load.parameter.rfind("Stability/", 0) == 0 ||
+      load.parameter.rfind("Load/", 0) == 0 || load.parameter == "Vesicle/Area")
     throw UserError("Load/Parameter = " + load.parameter +
                     " cannot change during a run: it shapes the mesh, the scale or the run itself.");
   const PotentialSet set = potentials(Scales{}, targets(Scales{}));

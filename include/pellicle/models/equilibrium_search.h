@@ -33,13 +33,22 @@ struct StepResult
 class EquilibriumSearch
 {
 public:
-  EquilibriumSearch(const NewtonParameters &newton, SurfaceProblem &problem, LinearSolver &solver, Timing &timing);
+  /** Keeps references. mesh_reference: positions whose metric the ALE chart prefers; step: number for the reports. */
+  EquilibriumSearch(const NewtonParameters &newton, SurfaceProblem &problem, LinearSolver &solver, Timing &timing,
+                    const NodalVectors &mesh_reference, int step, Observer &observer);
 
-  /** From the problem's present state. On failure the problem is left at the last iterate. */
-  StepResult run(const NodalVectors &mesh_reference, int step, Observer &observer);
+  /** From the problem's present state, in the charts that the parameters name. On failure the problem is left at the
+   * last iterate. Returns whether it converged. */
+  bool run();
+  /** The same in the charts that lead downhill: normal graph with drag, then polished. */
+  bool descend();
+
+  /** Of the last solve; iterations and rejected trials of all of them. */
+  const StepResult &result() const { return outcome; }
+  void warn(const std::string &text) { outcome.warnings.push_back(text); }
 
 private:
-  bool in_charts();
+  bool in_charts(const std::string &charts);
   bool iterate(PositionChart chart, int max_iterations);
   void polish();
   bool approach(const std::vector<std::size_t> &distant);
@@ -48,10 +57,9 @@ private:
   SurfaceProblem &problem;
   LinearSolver &solver;
   Timing &timing;
-
-  const NodalVectors *mesh_reference = nullptr;
-  Observer *observer                 = nullptr;
-  int step                           = 0;
-  StepResult result;
+  const NodalVectors &mesh_reference;
+  const int step;
+  Observer &observer;
+  StepResult outcome;
 };
 } // namespace pellicle

@@ -31,16 +31,17 @@ public:
   /** Takes over the numbers of a scene with the same effects and mesh: a load step. */
   void update(const SurfaceScene &scene);
 
-  /** Newton from the present state, in the charts that the scene asks for. On failure the state before the call is
-   * restored. */
+  /** Newton from the present state, in the charts that the scene asks for; then, if the scene lists it, the stability
+   * of the equilibrium, and downhill where it is unstable and the scene wants that. On failure the state before the
+   * call is restored. */
   StepResult solve(int step, Observer &observer);
 
   /** Goes to the state at which the last solve gave up, so that it can be looked at. Does nothing if none did. */
   void show_last_iterate();
 
-  /** Number of negative eigenvalues of the reduced Hessian at the present state, on the normal-graph matrix; none if
-   * the solver cannot tell. */
-  std::optional<int> negative_eigenvalues();
+  /** Stability of the last equilibrium that was found; none if the scene does not list it or the solver cannot tell.
+   * Internal units. */
+  const std::optional<Stability> &stability() const { return last_stability; }
 
   /** Reported quantities in the user's units, in the order of the documentation. */
   std::vector<std::pair<std::string, double>> quantities() const;
@@ -52,7 +53,7 @@ public:
 
   std::size_t n_cells() const { return discretization.n_cells; }
   /** Unknowns of the linear system that was solved last: name of field or "multipliers" -> number; "total". */
-  std::vector<std::pair<std::string, std::size_t>> unknown_counts() const;
+  const std::vector<std::pair<std::string, std::size_t>> &unknown_counts() const { return last_unknown_counts; }
 
   const SurfaceProblem &equilibrium() const { return *problem; }
   const SurfaceDiscretization &mesh() const { return discretization; }
@@ -62,6 +63,8 @@ private:
   void add_node_noise(const VesicleParameters &vesicle);
   void check_constraints_are_independent();
   PotentialSet potentials_of(const SurfaceScene &scene);
+  void look_at_stability(EquilibriumSearch &search);
+  void count_unknowns();
 
   NewtonParameters newton;
   Scales unit;
@@ -72,5 +75,9 @@ private:
   std::unique_ptr<LinearSolver> solver;
   SurfaceState last_iterate; ///< of the last solve that failed
   SceneTargets targets;      ///< what the effects were given, internal units
+  StabilityParameters stability_parameters;
+  bool analyses_stability = false;
+  std::optional<Stability> last_stability;
+  std::vector<std::pair<std::string, std::size_t>> last_unknown_counts;
 };
 } // namespace pellicle

@@ -51,6 +51,7 @@ public:
   void set_potentials(PotentialSet set);
   const PotentialSet &potentials() const { return set; }
   const FieldLayout &layout() const { return field_layout; }
+  const SurfaceDiscretization &discretization() const { return surface; }
 
   /** Chart at the current positions; `mesh_reference`: positions whose metric the ALE mesh energy prefers. Throws
    * UserError if it would hold back tangential motion that a potential sees. */
@@ -86,6 +87,8 @@ public:
   double try_step(const std::vector<double> &direction, double length) override;
   void accept_trial() override;
   double displacement(const std::vector<double> &direction) const override;
+  /** Nodal displacements along a direction. */
+  NodalVectors displacements(const std::vector<double> &direction) const;
   double energy() const override;
 
 private:
@@ -95,7 +98,7 @@ private:
   std::vector<double> full_step_multipliers(const std::vector<double> &direction) const;
   double constraint_residual(std::size_t k, const TermValues &values, double lambda) const;
 
-  const SurfaceDiscretization &discretization;
+  const SurfaceDiscretization &surface;
   PotentialSet set;
   NodalConditions conditions;
   const Communicator &communicator;

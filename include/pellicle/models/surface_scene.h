@@ -3,6 +3,7 @@
 
 #include <pellicle/base/parameters.h>
 #include <pellicle/discretization/start_shapes.h>
+#include <pellicle/models/stability.h>
 #include <pellicle/potentials/potential_library.h>
 #include <pellicle/solvers/load_stepping.h>
 #include <pellicle/solvers/newton.h>
@@ -55,6 +56,7 @@ struct SurfaceScene
   VesicleParameters vesicle;
   LoadParameters load;
   NewtonParameters newton;
+  StabilityParameters stability;
   OutputParameters output;
   std::vector<std::unique_ptr<Effect>> effects;
   std::vector<std::string> analyses;

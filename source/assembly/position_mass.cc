@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/position_mass.h>
+
+#include <map>
+
+namespace pellicle
+{
+SparseMatrix position_mass(const SurfaceDiscretization &discretization, const NodalVectors &positions,
+                           const Numbering &numbering)
+{
+  const ShapeTables &tables = discretization.tables;
+  const unsigned int n      = tables.n_nodes;
+  std::vector<std::map<int, double>> rows(numbering.size());
+  std::vector<double> inputs(std::size_t(tables.n_points) * 18), cell_mass(std::size_t(n) * n);
+  for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
+  {
+    const std::size_t *nodes = discretization.cell_nodes.data() + cell * n;
+    evaluate_field(tables, nodes, positions, 3, inputs.data());
+    std::fill(cell_mass.begin(), cell_mass.end(), 0.);
+    for (unsigned int q = 0; q < tables.n_points; ++q)
+    {
+      const double *x = inputs.data() + 18 * q;
+      const double *N = tables.tables[0].data() + std::size_t(q) * n;
+      const double dA =
+          tables.weights[q] * norm(cross(Vector3<double>(x[3], x[4], x[5]), Vector3<double>(x[6], x[7], x[8])));
+      for (unsigned int I = 0; I < n; ++I)
+        for (unsigned int J = 0; J < n; ++J)
+          cell_mass[I * n + J] += dA * N[I] * N[J];
+    }
+    for (unsigned int I = 0; I < n; ++I)
+      for (unsigned int J = 0; J < n; ++J)
+        for (unsigned int a = 0; a < numbering.count(0, nodes[I]); ++a)
+          for (unsigned int b = 0; b < numbering.count(0, nodes[J]); ++b)
+          {
+            const int row    = static_cast<int>(numbering.first_of(0, nodes[I]) + a),
+                      column = static_cast<int>(numbering.first_of(0, nodes[J]) + b);
+            if (column > row)
+              continue;
+            const auto &Z_I = numbering.charts[0].nodes[nodes[I]].columns,
+                       &Z_J = numbering.charts[0].nodes[nodes[J]].columns;
+            double product  = 0.;
+            for (unsigned int c = 0; c < 3; ++c)
+              product += Z_I[3 * a + c] * Z_J[3 * b + c];
+            rows[row][column] += cell_mass[I * n + J] * product;
+          }
+  }
+  SparseMatrix mass;
+  mass.size     = static_cast<int>(numbering.size());
+  mass.symmetry = MatrixSymmetry::symmetric;
+  mass.row_start.assign(1, 0);
+  for (const auto &row : rows)
+  {
+    for (const auto &[column, value] : row)
+    {
+      mass.columns.push_back(column);
+      mass.values.push_back(value);
+    }
+    mass.row_start.push_back(static_cast<int>(mass.columns.size()));
+  }
+  return mass;
+}
+} // namespace pellicle
