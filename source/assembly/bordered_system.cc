@@ -195,6 +195,28 @@ void BorderedSystem::project(const Cell &cell, const Element &physics, const Ele
     fill_rows(*mesh, true, 1);
 }
 
+// Second derivative of the retraction of unit vectors, v -> (v + d)/|v + d|: -(g . v) |d|^2/2 with d orthogonal to v.
+void BorderedSystem::curve(const Cell &cell, const Element &physics)
+{
+  const std::size_t m = cell_list.size();
+  std::size_t row     = 0;
+  for (std::size_t i = 0; i < cell.n_nodes; ++i)
+    for (std::size_t f = 0; f < unknowns.n_fields(); ++f)
+    {
+      const unsigned int n_rows = unknowns.count(f, cell.nodes[i]);
+      if (n_rows > 0 && !unknowns.charts[f].unit_vectors.empty())
+      {
+        double along = 0.;
+        for (unsigned int c = 0; c < 3; ++c)
+          along += unknowns.charts[f].unit_vectors[cell.nodes[i]][c] *
+                   physics.gradient[(3 * f + c) * cell.n_nodes + i];
+        for (unsigned int a = 0; a < n_rows; ++a)
+          projected[(row + a) * m + row + a] -= along;
+      }
+      row += n_rows;
+    }
+}
+
 void BorderedSystem::add_cell(const Cell &cell, const Element &physics,
                               const std::vector<std::vector<double>> &constraint_gradients, const Element *mesh)
 {
@@ -202,6 +224,7 @@ void BorderedSystem::add_cell(const Cell &cell, const Element &physics,
   cell_unknowns(cell, cell_list);
   const std::size_t m = cell_list.size();
   project(cell, physics, mesh);
+  curve(cell, physics);
   const int *positions = scatter.data() + scatter_start[cell.own];
   for (std::size_t k = 0; k < m * m; ++k)
     if (positions[k] >= 0)
@@ -335,6 +358,16 @@ void BorderedSystem::prolongate(const std::vector<double> &u, const double facto
       const double step = factor * u[unknowns.first_of(field, I) + a];
       for (unsigned int c = 0; c < 3; ++c)
         values[3 * I + c] += step * unknowns.charts[field].nodes[I].columns[3 * a + c];
+    }
+  if (unknowns.charts[field].unit_vectors.empty())
+    return;
+  for (std::size_t I = 0; I < unknowns.charts[field].nodes.size(); ++I)
+    if (unknowns.count(field, I) > 0)
+    {
+      double *v           = values.data() + 3 * I;
+      const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+      for (unsigned int c = 0; c < 3; ++c)
+        v[c] /= length;
     }
 }
 } // namespace pellicle

@@ -7,7 +7,7 @@ namespace pellicle
 {
 FieldLayout::FieldLayout(const PotentialSet &set)
 {
-  list.push_back({"position", FieldRole::independent, n_slots(Derivatives::first), 0});
+  list.push_back({"position", FieldRole::independent, n_slots(Derivatives::first), 0, FieldSpace::vectors});
   for (const auto &energy : set.energies)
     declare(*energy);
   for (const Constraint &constraint : set.constraints)
@@ -29,7 +29,7 @@ void FieldLayout::declare(const Potential &potential)
   {
     const auto found = std::find_if(list.begin(), list.end(), [&](const Field &f) { return f.name == use.name; });
     if (found == list.end())
-      list.push_back({std::string(use.name), use.role, n_slots(use.derivatives), 0});
+      list.push_back({std::string(use.name), use.role, n_slots(use.derivatives), 0, use.space});
     else
     {
       PELLICLE_ASSERT(found->role == use.role, "two potentials declare different roles for one field");

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/edge_frames.h>
 #include <pellicle/assembly/nodal_chart.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/refined_quads.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace pellicle
 {
@@ -51,48 +51,6 @@ void complete(NodalChart::Node &node, const std::vector<Direction> &admissible)
   }
 }
 
-Direction direction_at(const NodalVectors &vectors, const std::size_t node)
-{
-  return {vectors[3 * node], vectors[3 * node + 1], vectors[3 * node + 2]};
-}
-
-/** Nodes of all edge loops with a tangent of the line: the mean over the edges that meet there. */
-std::map<std::size_t, Direction> line_tangents(const SurfaceDiscretization &discretization,
-                                               const NodalVectors &positions)
-{
-  std::map<std::size_t, Direction> tangents;
-  if (discretization.kind == SurfaceDiscretization::Kind::meridian)
-  {
-    for (const EdgeLoop &loop : discretization.edges)
-      tangents[loop.cell_nodes.front()] = {0., 1., 0.};
-    return tangents;
-  }
-  const std::vector<double> line = line_nodes(discretization.degree);
-  std::vector<std::array<double, 2>> sites;
-  for (const double site : line)
-    sites.push_back({{0.5 * (1. + site), 0.}});
-  const ShapeTables along = make_tables_at(SurfaceDiscretization::Kind::meridian, discretization.degree, sites);
-  for (const EdgeLoop &loop : discretization.edges)
-    for (std::size_t edge = 0; edge < loop.n_cells; ++edge)
-    {
-      const std::size_t *nodes = loop.cell_nodes.data() + edge * along.n_nodes;
-      for (unsigned int i = 0; i < along.n_nodes; ++i)
-      {
-        Direction t;
-        for (unsigned int j = 0; j < along.n_nodes; ++j)
-          t += along.tables[1][std::size_t(i) * along.n_nodes + j] * direction_at(positions, nodes[j]);
-        tangents[nodes[i]] += t;
-      }
-    }
-  return tangents;
-}
-
-/** Unit vector normal to the line and to d. */
-Direction conormal(const Direction &tangent, const Direction &d)
-{
-  const Direction nu = cross(tangent, d);
-  return (1. / norm(nu)) * nu;
-}
 } // namespace
 
 bool NodalChart::has_mesh_equations() const
@@ -118,9 +76,9 @@ NodalChart graph_chart(const SurfaceDiscretization &discretization, const NodalV
   NodalChart chart;
   chart.nodes.resize(discretization.n_nodes);
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
-    append_column(chart.nodes[I], direction_at(normals, I), false);
-  for (const auto &[I, t] : line_tangents(discretization, positions))
-    append_column(chart.nodes[I], conormal(t, direction_at(normals, I)), false);
+    append_column(chart.nodes[I], vector_at(normals, I), false);
+  for (const auto &[I, nu] : nodal_conormals(discretization, positions, normals))
+    append_column(chart.nodes[I], nu, false);
   return chart;
 }
 
@@ -130,6 +88,24 @@ NodalChart ale_chart(const SurfaceDiscretization &discretization, const NodalVec
   NodalChart chart = graph_chart(discretization, positions, normals);
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
     complete(chart.nodes[I], admissible_directions(discretization, I));
+  return chart;
+}
+
+NodalChart conormal_chart(const SurfaceDiscretization &discretization, const NodalVectors &positions,
+                          const NodalVectors &conormals)
+{
+  NodalChart chart;
+  chart.nodes.resize(discretization.n_nodes);
+  chart.unit_vectors.resize(discretization.n_nodes);
+  for (const auto &[I, t] : nodal_line_tangents(discretization, positions))
+  {
+    const Direction nu = vector_at(conormals, I);
+    if (norm(nu) == 0.)
+      continue;
+    chart.unit_vectors[I]   = {{nu[0], nu[1], nu[2]}};
+    const Direction turning = cross(t, nu);
+    append_column(chart.nodes[I], (1. / norm(turning)) * turning, false);
+  }
   return chart;
 }
 

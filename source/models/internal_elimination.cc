@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/edge_frames.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/models/internal_elimination.h>
 
@@ -12,32 +13,41 @@ namespace
 constexpr int max_iterations = 10;
 constexpr double tolerance   = 1e-11; // of the residual relative to the cells' contributions
 
-std::vector<NodalChart> charts_of_internal_fields(const SurfaceDiscretization &discretization,
-                                                  const FieldLayout &layout, const NodalConditions &conditions)
-{
-  std::vector<NodalChart> charts;
-  for (const Field &field : layout.fields())
-  {
-    charts.push_back(field.role == FieldRole::internal ? free_chart(discretization) : NodalChart{});
-    if (field.role == FieldRole::internal)
-      apply_conditions(conditions, field.name, charts.back());
-  }
-  return charts;
-}
 } // namespace
+
+NodalChart chart_of_internal_field(const SurfaceDiscretization &discretization, const Field &field,
+                                   const NodalVectors &positions, const NodalVectors &values,
+                                   const NodalConditions &conditions)
+{
+  NodalChart chart = field.space == FieldSpace::edge_conormals ? conormal_chart(discretization, positions, values)
+                                                               : free_chart(discretization);
+  apply_conditions(conditions, field.name, chart);
+  return chart;
+}
 
 InternalElimination::InternalElimination(const SurfaceDiscretization &discretization, const FieldLayout &layout,
                                          const PotentialSet &set, const NodalConditions &conditions,
-                                         const Communicator &communicator, const std::string &linear_solver,
-                                         Timing &timing)
-    : layout(layout)
+                                         const FieldValues &start, const Communicator &communicator,
+                                         const std::string &linear_solver, Timing &timing)
+    : discretization(discretization)
+    , layout(layout)
+    , conditions(conditions)
     , assembler(discretization, layout, set, communicator, Assembler::internal(set, layout))
-    , system(discretization, Numbering(charts_of_internal_fields(discretization, layout, conditions), 0, 0),
-             communicator)
+    , system(discretization, Numbering(charts(start), 0, 0), communicator)
     , n_unknowns(system.numbering().size())
     , solver(make_linear_solver(linear_solver))
     , timing(timing)
 {
+}
+
+std::vector<NodalChart> InternalElimination::charts(const FieldValues &values) const
+{
+  std::vector<NodalChart> list;
+  for (std::size_t f = 0; f < layout.fields().size(); ++f)
+    list.push_back(layout.fields()[f].role == FieldRole::internal
+                       ? chart_of_internal_field(discretization, layout.fields()[f], values[0], values[f], conditions)
+                       : NodalChart{});
+  return list;
 }
 
 int InternalElimination::negative_eigenvalues() const
@@ -67,9 +77,18 @@ double InternalElimination::relative_residual(const PotentialSet &set, const std
 
 bool InternalElimination::solve(const PotentialSet &set, const std::vector<double> &multipliers, FieldValues &values)
 {
-  double residual = std::numeric_limits<double>::infinity();
+  double residual       = std::numeric_limits<double>::infinity();
+  bool has_unit_vectors = false;
+  for (std::size_t f = 0; f < layout.fields().size(); ++f)
+    if (layout.fields()[f].space == FieldSpace::edge_conormals)
+    {
+      has_unit_vectors = true;
+      align_conormals(discretization, values[0], values[f]);
+    }
   for (int iteration = 0; iteration < max_iterations; ++iteration)
   {
+    if (has_unit_vectors)
+      system.set_charts(charts(values));
     const double before = relative_residual(set, multipliers, values, Order::hessian);
     if (!std::isfinite(before))
       return false;

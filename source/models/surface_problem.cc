@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/edge_frames.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/models/surface_problem.h>
 #include <pellicle/potentials/energies/mesh_distortion.h>
@@ -66,6 +67,27 @@ std::vector<ReferenceMetric> reference_metric(const SurfaceDiscretization &discr
   return metric;
 }
 
+// Positions of the start shape, its conormals on the edges that have them as unknowns, zero for the rest.
+FieldValues start_fields(const SurfaceDiscretization &discretization, const FieldLayout &layout,
+                         const NodalConditions &conditions)
+{
+  FieldValues fields;
+  for (const Field &field : layout.fields())
+  {
+    fields.push_back(field.name == "position" ? discretization.positions
+                                              : NodalVectors(3 * discretization.n_nodes, 0.));
+    if (field.space != FieldSpace::edge_conormals)
+      continue;
+    const auto &only           = conditions.at(field.name).only;
+    const NodalVectors normals = nodal_normals(discretization, discretization.positions);
+    for (const auto &[node, nu] : nodal_conormals(discretization, discretization.positions, normals))
+      if (!only[node])
+        for (unsigned int c = 0; c < 3; ++c)
+          fields.back()[3 * node + c] = nu[c];
+  }
+  return fields;
+}
+
 double energy_of_self_terms(const TermValues &values, const std::vector<double> &multipliers)
 {
   double sum = 0.;
@@ -84,11 +106,10 @@ SurfaceProblem::SurfaceProblem(const SurfaceDiscretization &discretization, Pote
     , timing(timing)
     , field_layout(set)
     , assembler(surface, field_layout, set, communicator, Assembler::everything(set, field_layout))
-    , elimination(surface, field_layout, set, conditions, communicator, linear_solver, timing)
+    , elimination(surface, field_layout, set, conditions, start_fields(surface, field_layout, conditions), communicator, linear_solver, timing)
 {
   SurfaceState start;
-  for (const Field &field : field_layout.fields())
-    start.fields.push_back(field.name == "position" ? surface.positions : NodalVectors(3 * surface.n_nodes, 0.));
+  start.fields = start_fields(surface, field_layout, conditions);
   start.multipliers.assign(set.constraints.size(), 0.);
   set_state(std::move(start));
 }
@@ -134,12 +155,17 @@ std::vector<NodalChart> SurfaceProblem::charts_here() const
 {
   const NodalVectors normals = nodal_normals(surface, current.fields[0]);
   std::vector<NodalChart> charts;
-  for (const Field &field : field_layout.fields())
+  for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
   {
-    const bool everything = field.name != "position" || chart == PositionChart::material;
-    charts.push_back(everything                      ? free_chart(surface)
-                     : chart == PositionChart::graph ? graph_chart(surface, current.fields[0], normals)
-                                                     : ale_chart(surface, current.fields[0], normals));
+    const Field &field = field_layout.fields()[f];
+    if (field.name != "position")
+    {
+      charts.push_back(chart_of_internal_field(surface, field, current.fields[0], current.fields[f], conditions));
+      continue;
+    }
+    charts.push_back(chart == PositionChart::material ? free_chart(surface)
+                     : chart == PositionChart::graph  ? graph_chart(surface, current.fields[0], normals)
+                                                      : ale_chart(surface, current.fields[0], normals));
     apply_conditions(conditions, field.name, charts.back());
   }
   return charts;
@@ -194,6 +220,10 @@ SurfaceProblem::NodalForces SurfaceProblem::nodal_forces() const
 void SurfaceProblem::linearize()
 {
   const Timing::Scope scope(timing, "assembly");
+  for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
+    if (field_layout.fields()[f].space == FieldSpace::edge_conormals)
+      system->set_chart(f, chart_of_internal_field(surface, field_layout.fields()[f], current.fields[0],
+                                                   current.fields[f], conditions));
   system->begin();
   TermValues mesh_values{{0.}, {}, {}};
   Element mesh_element;

@@ -62,6 +62,8 @@ public:
   /** Other directions for the same numbers of unknowns: pattern and analysis stay. */
   void set_charts(std::vector<NodalChart> charts) { unknowns.charts = std::move(charts); }
 
+  void set_chart(const std::size_t field, NodalChart chart) { unknowns.charts[field] = std::move(chart); }
+
   void begin();
   /** Adds matrix and residual of a cell. `mesh`: the mesh energy's contribution, which mesh equations take instead of
    * the physics (null: nothing). */
@@ -91,13 +93,14 @@ public:
 
   /** Multiplies nodal vectors of field f by Z^T. */
   void restrict_vector(std::size_t field, const NodalVectors &vector, std::vector<double> &unknowns) const;
-  /** x_f += factor Z u. */
+  /** x_f += factor Z u; unit vectors are normalised afterwards. */
   void prolongate(const std::vector<double> &u, double factor, std::size_t field, NodalVectors &values) const;
 
 private:
   void make_pattern(const std::vector<Cell> &cells);
   void write_border(std::size_t row, const std::vector<double> &values);
   void project(const Cell &cell, const Element &physics, const Element *mesh);
+  void curve(const Cell &cell, const Element &physics);
   void cell_unknowns(const Cell &cell, std::vector<int> &list) const;
 
   const Communicator &communicator;

@@ -16,6 +16,7 @@ struct Field
   FieldRole role       = FieldRole::independent;
   unsigned int n_slots = 1; ///< as many as the most demanding potential reads
   unsigned int offset  = 0; ///< of its first input within the inputs of a point
+  FieldSpace space     = FieldSpace::vectors;
 };
 
 /**

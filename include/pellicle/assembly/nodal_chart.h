@@ -29,6 +29,13 @@ struct NodalChart
    * have the same columns. */
   std::vector<std::size_t> leader;
 
+  /**
+   * Of a field of unit vectors: its values at the nodes, at which the columns are tangential to the unit sphere. A step
+   * is then followed by normalisation, and the matrix gains -(g . v) on the diagonal (g the gradient with respect to v in
+   * R^3), the second derivative of that retraction. Empty: a field of plain vectors.
+   */
+  std::vector<std::array<double, 3>> unit_vectors;
+
   /** Whether a node has unknowns of its own. */
   bool leads(const std::size_t node) const { return leader.empty() || leader[node] == node; }
 
@@ -50,6 +57,10 @@ NodalChart graph_chart(const SurfaceDiscretization &discretization, const NodalV
  * others with mesh equations. Unsymmetric, no bias. */
 NodalChart ale_chart(const SurfaceDiscretization &discretization, const NodalVectors &positions,
                      const NodalVectors &normals);
+
+/** Unit conormals on edge loops (zero elsewhere): one unknown a node, the rotation about the tangent of the line. */
+NodalChart conormal_chart(const SurfaceDiscretization &discretization, const NodalVectors &positions,
+                          const NodalVectors &conormals);
 
 /** Unit normals at the nodes: averages of the cells' normals there, weighted by x,1 x x,2, projected to the admissible
  * directions. */

@@ -12,6 +12,11 @@
 
 namespace pellicle
 {
+/** All admissible values of an internal field at the present ones. */
+NodalChart chart_of_internal_field(const SurfaceDiscretization &discretization, const Field &field,
+                                   const NodalVectors &positions, const NodalVectors &values,
+                                   const NodalConditions &conditions);
+
 /**
  * Solves for the internal fields at given independent fields and multipliers, by their own block of equations from the
  * sum of all potentials that declare them (contract 6). A density quadratic in the internal field (the moment) takes
@@ -21,7 +26,7 @@ class InternalElimination
 {
 public:
   InternalElimination(const SurfaceDiscretization &discretization, const FieldLayout &layout, const PotentialSet &set,
-                      const NodalConditions &conditions, const Communicator &communicator,
+                      const NodalConditions &conditions, const FieldValues &start, const Communicator &communicator,
                       const std::string &linear_solver, Timing &timing);
 
   /** Whether there is anything to eliminate. */
@@ -43,7 +48,11 @@ private:
   double relative_residual(const PotentialSet &set, const std::vector<double> &multipliers, const FieldValues &values,
                            Order order);
 
+  std::vector<NodalChart> charts(const FieldValues &values) const;
+
+  const SurfaceDiscretization &discretization;
   const FieldLayout &layout;
+  const NodalConditions &conditions;
   Assembler assembler;
   BorderedSystem system;
   std::size_t n_unknowns;

@@ -30,12 +30,20 @@ enum class FieldRole
   internal     ///< eliminated at every state by its own block of equations (the moment of the (x, P) form)
 };
 
-/** A field that a density reads: its name, how far it is differentiated, and its role. */
+/** What the values of a field are. */
+enum class FieldSpace
+{
+  vectors,       ///< of R^3, at all nodes
+  edge_conormals ///< unit vectors orthogonal to edge loops, at their nodes
+};
+
+/** A field that a density reads: its name, how far it is differentiated, its role, and what its values are. */
 struct FieldUse
 {
   std::string_view name;
   Derivatives derivatives = Derivatives::first;
   FieldRole role          = FieldRole::independent;
+  FieldSpace space        = FieldSpace::vectors;
 };
 
 /**

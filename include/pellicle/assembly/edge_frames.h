@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/discretization/surface_discretization.h>
+
+#include <map>
+
+namespace pellicle
+{
+/** Three coordinates of a node. */
+inline Vector3<double> vector_at(const NodalVectors &vectors, const std::size_t node)
+{
+  return {vectors[3 * node], vectors[3 * node + 1], vectors[3 * node + 2]};
+}
+
+/** Unit tangents t of the edge loops at their nodes, in the loops' direction: the mean over the edges that meet there. */
+std::map<std::size_t, Vector3<double>> nodal_line_tangents(const SurfaceDiscretization &discretization,
+                                                           const NodalVectors &positions);
+
+/** Unit conormals nu = t x n of the edge loops at their nodes: out of the surface (of the region), tangential to it.
+ * normals: those of nodal_normals(). */
+std::map<std::size_t, Vector3<double>> nodal_conormals(const SurfaceDiscretization &discretization,
+                                                       const NodalVectors &positions, const NodalVectors &normals);
+
+/** Turns nodal conormals (those that are not zero) so that they are orthogonal to the edge loops again. */
+void align_conormals(const SurfaceDiscretization &discretization, const NodalVectors &positions,
+                     NodalVectors &conormals);
+} // namespace pellicle
