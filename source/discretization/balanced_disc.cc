@@ -82,7 +82,8 @@ DiscPoint BalancedDisc::at(const unsigned int quad, const double u, const double
   const double t       = a % 2 == 0 ? v : v - 1.;
   const auto inner     = side(t);
   const double even    = 0.25 * t; // azimuths over pi, from the middle of the side
-  const double azimuth = 0.5 * ((a + 1) / 2) + even + (1. - u) * (1. - u) * (std::atan2(inner[1], inner[0]) / pi - even);
+  const double azimuth =
+      0.5 * ((a + 1) / 2) + even + (1. - u) * (1. - u) * (std::atan2(inner[1], inner[0]) / pi - even);
   return {(1. - u) * std::hypot(inner[0], inner[1]) + u, boost::math::cos_pi(azimuth), boost::math::sin_pi(azimuth)};
 }
 } // namespace pellicle

@@ -50,9 +50,9 @@ SurfaceDiscretization torus(const double ratio, const double area, const unsigne
     }
 
   const RefinedQuads mesh = refine_quads(vertices, quads, refinements, degree);
-  return place_nodes(mesh, quads, degree,
-                     [&](const unsigned int patch, const double u, const double v) {
-                       return torus_point(R, r, 2. * (patch % n_major + u) / n_major, 2. * (patch / n_major + v) / n_minor);
-                     });
+  return place_nodes(
+      mesh, quads, degree,
+      [&](const unsigned int patch, const double u, const double v)
+      { return torus_point(R, r, 2. * (patch % n_major + u) / n_major, 2. * (patch / n_major + v) / n_minor); });
 }
 } // namespace pellicle

@@ -35,6 +35,8 @@ public:
   static unsigned int rim_vertex(const unsigned int eighth) { return 9 + eighth % 8; }
   static constexpr unsigned int n_vertices = 17, n_quads = 12;
 
+  double rim_angle() const { return angle; }
+
   DiscPoint at(unsigned int quad, double u, double v) const;
 
 private:
