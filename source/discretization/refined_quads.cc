@@ -7,6 +7,7 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/grid/tria.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pellicle
@@ -125,5 +126,43 @@ SurfaceDiscretization place_nodes(const RefinedQuads &mesh, const unsigned int d
       result.positions[3 * node + c] = x[c];
   }
   return result;
+}
+
+SurfaceDiscretization place_nodes(const RefinedQuads &mesh, const std::vector<QuadVertices> &quads,
+                                  const unsigned int degree,
+                                  const std::function<Vector3<double>(unsigned int patch, double u, double v)> &point)
+{
+  return place_nodes(mesh, degree,
+                     [&](const PatchPoint &site)
+                     {
+                       // A patch is turned by as many quarters as its origin has moved round the quadrilateral.
+                       const QuadVertices &given = quads[site.patch];
+                       const auto origin =
+                           std::find(given.begin(), given.end(), mesh.patches[site.patch][0]) - given.begin();
+                       const double u = 0.5 * (1. + site.xi), v = 0.5 * (1. + site.eta);
+                       const double back_u = 0.5 * (1. - site.xi), back_v = 0.5 * (1. - site.eta);
+                       switch (origin)
+                       {
+                       case 0:
+                         return point(site.patch, u, v);
+                       case 1:
+                         return point(site.patch, back_v, u);
+                       case 2:
+                         return point(site.patch, v, back_u);
+                       default:
+                         return point(site.patch, back_u, back_v);
+                       }
+                     });
+}
+
+std::vector<Vector3<double>>
+corner_points(const std::vector<QuadVertices> &quads, const std::size_t n_vertices,
+              const std::function<Vector3<double>(unsigned int patch, double u, double v)> &point)
+{
+  std::vector<Vector3<double>> vertices(n_vertices);
+  for (unsigned int p = 0; p < quads.size(); ++p)
+    for (unsigned int corner = 0; corner < 4; ++corner)
+      vertices[quads[p][corner]] = point(p, corner % 2, corner / 2);
+  return vertices;
 }
 } // namespace pellicle

@@ -6,6 +6,7 @@
 #include <pellicle/discretization/start_shapes.h>
 #include <pellicle/discretization/surface_quality.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 
@@ -38,6 +39,38 @@ void check_size(const StartShape &shape)
                     " the number of cells). Take a higher degree instead.");
 }
 
+/** The open shapes, axial or not. To add one: write its builder, list it here and in open_start_shape_names(). */
+const std::map<std::string, std::function<SurfaceDiscretization(const StartShape &)>> &open_shapes()
+{
+  static const std::map<std::string, std::function<SurfaceDiscretization(const StartShape &)>> shapes = {
+      {"cap", [](const StartShape &s) { return cap(s.cap_angle, s.area, s.degree, s.refinements, s.axial); }},
+      {"disc", [](const StartShape &s) { return disc(s.area, s.degree, s.refinements, s.axial); }},
+      {"tube", [](const StartShape &s) { return tube(s.tube_ratio, s.area, s.degree, s.refinements, s.axial); }},
+      {"annulus",
+       [](const StartShape &s)
+       {
+         AnnulusShape ring;
+         ring.inner_radius   = s.inner_radius;
+         ring.outer_radius   = s.outer_radius;
+         ring.smallest       = s.smallest_cell;
+         ring.smallest_outer = s.smallest_outer_cell;
+         ring.n_radial       = s.radial_cells;
+         return annulus(ring, s.degree, s.refinements, s.axial);
+       }},
+  };
+  return shapes;
+}
+
+SurfaceDiscretization build_open(const StartShape &shape)
+{
+  if (shape.mirror)
+    throw UserError("Start shape '" + shape.name + "' is open and has no mirror plane: use the whole meridian.");
+  if (shape.region_fraction != 0.)
+    throw UserError("Region fraction = " + exact_text(shape.region_fraction) + ": start shape '" + shape.name +
+                    "' is open and has no region. Take a closed shape, or set the fraction to 0.");
+  return open_shapes().at(shape.name)(shape);
+}
+
 SurfaceDiscretization build_axial(const StartShape &shape)
 {
   const auto maker = smooth_shapes().find(shape.name);
@@ -51,19 +84,31 @@ SurfaceDiscretization build_axial(const StartShape &shape)
                     ": an axial ellipsoid needs the first two to be equal (the axis of revolution is z).");
   if (shape.mirror && !smooth.up_down_symmetric)
     throw UserError("Start shape '" + shape.name + "' has no mirror plane z = 0: use the whole meridian.");
-  return on_meridian(scaled_to_area(smooth, shape.area), shape.degree, shape.refinements, shape.mirror);
+  const SmoothShape scaled = scaled_to_area(smooth, shape.area);
+  if (shape.region_fraction == 0.)
+    return on_meridian(scaled, shape.degree, shape.refinements, shape.mirror);
+  if (shape.mirror)
+    throw UserError("Region fraction = " + exact_text(shape.region_fraction) +
+                    ": a region around the north pole has no mirror image. Use the whole meridian.");
+  return with_polar_region(scaled, shape.region_fraction, shape.degree, shape.refinements, true);
 }
 
 SurfaceDiscretization build_surface(const StartShape &shape)
 {
   if (shape.mirror)
     throw UserError("A mirror plane is possible on a meridian only: ask for axial symmetry as well.");
+  if (shape.region_fraction != 0. && smooth_shapes().count(shape.name) == 0)
+    throw UserError("Region fraction = " + exact_text(shape.region_fraction) + ": start shape '" + shape.name +
+                    "' has no north pole to put a region around. Take a shape without handles, or set the fraction to "
+                    "0.");
   if (shape.name == "torus")
     return torus(shape.torus_ratio, shape.area, shape.degree, shape.refinements);
   if (shape.name == "file")
     return from_file(shape.file, shape.area, shape.degree, shape.refinements);
-  return on_cube_sphere(scaled_to_area(smooth_shapes().at(shape.name)(shape), shape.area), shape.degree,
-                        shape.refinements);
+  const SmoothShape scaled = scaled_to_area(smooth_shapes().at(shape.name)(shape), shape.area);
+  return shape.region_fraction == 0.
+             ? on_cube_sphere(scaled, shape.degree, shape.refinements)
+             : with_polar_region(scaled, shape.region_fraction, shape.degree, shape.refinements, false);
 }
 } // namespace
 
@@ -74,18 +119,25 @@ const std::vector<std::string> &start_shape_names()
   return names;
 }
 
+const std::vector<std::string> &open_start_shape_names()
+{
+  static const std::vector<std::string> names = {"cap", "disc", "tube", "annulus"};
+  return names;
+}
+
 SurfaceDiscretization make_start_shape(const StartShape &shape)
 {
-  bool known = false;
-  for (const std::string &name : start_shape_names())
-    known = known || name == shape.name;
-  if (!known)
-    throw UserError("Start shape '" + shape.name + "' is not known." + suggestion(shape.name, start_shape_names()));
+  std::vector<std::string> names = start_shape_names();
+  names.insert(names.end(), open_start_shape_names().begin(), open_start_shape_names().end());
+  if (std::find(names.begin(), names.end(), shape.name) == names.end())
+    throw UserError("Start shape '" + shape.name + "' is not known." + suggestion(shape.name, names));
   if (!(shape.area > 0. && shape.area < std::numeric_limits<double>::infinity()))
     throw UserError("Area = " + exact_text(shape.area) + ": the area of the start shape must be a number > 0.");
   check_size(shape);
 
-  SurfaceDiscretization result = shape.axial ? build_axial(shape) : build_surface(shape);
+  SurfaceDiscretization result = open_shapes().count(shape.name) > 0 ? build_open(shape)
+                                 : shape.axial                       ? build_axial(shape)
+                                                                     : build_surface(shape);
   check_start_positions(result, "Refine the mesh once more, or take a start shape that is less extreme.");
   return result;
 }

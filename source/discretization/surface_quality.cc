@@ -89,6 +89,8 @@ void check_start_positions(const SurfaceDiscretization &surface, const std::stri
                       ", " + exact_text(x[2]) + "): its area element is not positive there. " + remedy);
     }
   }
+  if (!surface.is_closed())
+    return; // it encloses none
   const double volume = surface_quality(surface, surface.positions).volume;
   if (!(volume > 0. && volume < std::numeric_limits<double>::infinity()))
     throw UserError("The start shape encloses the volume " + exact_text(volume) +
@@ -98,13 +100,21 @@ void check_start_positions(const SurfaceDiscretization &surface, const std::stri
 int euler_characteristic(const SurfaceDiscretization &surface)
 {
   if (surface.kind == SurfaceDiscretization::Kind::meridian)
-    return 2;
+    return 2 - static_cast<int>(std::count_if(surface.edges.begin(), surface.edges.end(),
+                                              [](const EdgeLoop &edge) { return edge.is_rim; }));
   const std::size_t k = surface.degree, n = surface.n_local();
   std::set<std::size_t> vertices;
+  std::set<std::pair<std::size_t, std::size_t>> edges;
   for (std::size_t cell = 0; cell < surface.n_cells; ++cell)
-    for (const std::size_t corner : {std::size_t(0), k, n - 1 - k, n - 1})
-      vertices.insert(surface.cell_nodes[cell * n + corner]);
-  // Every edge of the quadrilaterals belongs to two of them: two edges a cell.
-  return static_cast<int>(vertices.size()) - static_cast<int>(surface.n_cells);
+  {
+    const std::size_t *const nodes = &surface.cell_nodes[cell * n];
+    const std::array<std::size_t, 4> around{{nodes[0], nodes[k], nodes[n - 1], nodes[n - 1 - k]}};
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      vertices.insert(around[i]);
+      edges.insert(std::minmax(around[i], around[(i + 1) % 4]));
+    }
+  }
+  return static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) + static_cast<int>(surface.n_cells);
 }
 } // namespace pellicle

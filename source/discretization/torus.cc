@@ -50,19 +50,9 @@ SurfaceDiscretization torus(const double ratio, const double area, const unsigne
     }
 
   const RefinedQuads mesh = refine_quads(vertices, quads, refinements, degree);
-  const auto point        = [&](const PatchPoint &site)
-  {
-    // A patch may have been turned: find its angles from the vertices that are now its origin and its two neighbours.
-    const QuadVertices &q = mesh.patches[site.patch];
-    const unsigned int i = site.patch % n_major, j = site.patch / n_major; // its place in the grid
-    const auto local = [&](const unsigned int v) { // grid coordinates of a vertex in this patch, 0 or 1 each
-      return std::array<double, 2>{{v % n_major == i ? 0. : 1., v / n_major == j ? 0. : 1.}};
-    };
-    const auto o = local(q[0]), a = local(q[1]), b = local(q[2]);
-    const double u = 0.5 * (1. + site.xi), v = 0.5 * (1. + site.eta);
-    const double x = o[0] + u * (a[0] - o[0]) + v * (b[0] - o[0]), y = o[1] + u * (a[1] - o[1]) + v * (b[1] - o[1]);
-    return torus_point(R, r, 2. * (i + x) / n_major, 2. * (j + y) / n_minor);
-  };
-  return place_nodes(mesh, degree, point);
+  return place_nodes(
+      mesh, quads, degree,
+      [&](const unsigned int patch, const double u, const double v)
+      { return torus_point(R, r, 2. * (patch % n_major + u) / n_major, 2. * (patch / n_major + v) / n_minor); });
 }
 } // namespace pellicle

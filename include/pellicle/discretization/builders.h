@@ -23,6 +23,53 @@ SurfaceDiscretization on_meridian(const SmoothShape &shape, unsigned int degree,
  * Throws UserError unless R/r > 1. */
 SurfaceDiscretization torus(double ratio, double area, unsigned int degree, unsigned int refinements);
 
+/**
+ * Spherical cap of the given area, pole up, rim in z = 0 and named "rim"; `angle` is the polar angle of the rim, in (0,
+ * pi). n points away from the sphere's centre. 12 * 4^r cells, 2 * 2^r from pole to rim (see BalancedDisc); as many on
+ * a meridian. Throws UserError for an angle outside the range.
+ */
+SurfaceDiscretization cap(double angle, double area, unsigned int degree, unsigned int refinements, bool axial);
+
+/** The limit of a cap for angle 0: flat disc in z = 0, n = e_z. */
+SurfaceDiscretization disc(double area, unsigned int degree, unsigned int refinements, bool axial);
+
+/**
+ * Circular cylinder about z, centred on the origin, n radially outward; `ratio` is length over radius. Rims: "upper
+ * rim", "lower rim". Meridian: 2 * 2^r cells from the top down; surface: at least 4 * 2^r around and about square.
+ * Throws UserError unless 1e-3 < ratio < 1e3.
+ */
+SurfaceDiscretization tube(double ratio, double area, unsigned int degree, unsigned int refinements, bool axial);
+
+/** Flat ring in z = 0, and the cells on it. Lengths are absolute. */
+struct AnnulusShape
+{
+  double inner_radius   = 0.;
+  double outer_radius   = 0.;
+  double smallest       = 0.; ///< size of the cells at the inner rim on the mesh as refined; 0: not graded
+  double smallest_outer = 0.; ///< the same at the outer rim
+  unsigned int n_radial = 8;  ///< cells between the rims on the coarsest mesh, at least 4
+  unsigned int n_around = 8;  ///< cells around on the coarsest mesh, at least 8
+};
+
+/**
+ * Annulus with n = e_z and rims "tip" (inner) and "ring" (outer). n_radial * 2^r cells between the rims, their sizes in
+ * geometric progression; a meridian runs from tip to ring. Throws UserError for radii out of order, too few cells, and
+ * smallest cells that are larger than equal ones or ask for neighbours that differ by more than a factor of 3.
+ */
+SurfaceDiscretization annulus(const AnnulusShape &ring, unsigned int degree, unsigned int refinements, bool axial);
+
+/**
+ * A closed shape whose part around the north pole of the sphere that it is a map of, z > 0, is region "domain" with the
+ * given fraction of the (smooth) shape's area, and the rest "membrane". The line between, "domain boundary", is made of
+ * edges of cells and has the domain on its left.
+ *
+ * Meridian: 4 * 2^r cells, at least 2^r on either side of the line. Surface: a disc of 12 cells (see BalancedDisc)
+ * around either pole, and as many rings of 8 cells between them as make cells about square, each refined to 4^r.
+ * Throws UserError unless 0 < area_fraction < 1.
+ */
+SurfaceDiscretization with_polar_region(const SmoothShape &shape, double area_fraction, unsigned int degree,
+                                        unsigned int refinements, bool axial);
+
 /** Facets of a Gmsh file, oriented, rounded, each cut into 4^r cells, scaled so that the rounded surface has the given
  * area. */
 SurfaceDiscretization from_file(const std::string &file, double area, unsigned int degree, unsigned int refinements);

@@ -19,7 +19,7 @@ struct PatchPoint
 };
 
 /**
- * Coarse quadrilaterals ("patches") of a closed surface, each cut into 4^r cells of degree k, with all nodes numbered
+ * Coarse quadrilaterals ("patches") of a surface, each cut into 4^r cells of degree k, with all nodes numbered
  * across patches. Pure topology: where the nodes are in space is up to the map given to place_nodes().
  */
 struct RefinedQuads
@@ -43,9 +43,9 @@ std::vector<QuadVertices> with_consistent_edges(const std::vector<QuadVertices> 
 /**
  * Cuts and numbers, by means of a deal.II triangulation that lives no longer than this call.
  *
- * Vertices are needed for their connectivity only. The quadrilaterals must cover a closed surface and be oriented
- * alike; this is asserted, not diagnosed (see orient_closed_surface() for meshes that come from users). Throws
- * UserError beyond a million cells.
+ * Vertices are needed for their connectivity only. The quadrilaterals must cover an orientable surface, closed
+ * or with rims, and be oriented alike; this is asserted, not diagnosed (see orient_closed_surface() for meshes that
+ * come from users). Throws UserError beyond a million cells.
  */
 RefinedQuads refine_quads(const std::vector<Vector3<double>> &vertices, const std::vector<QuadVertices> &quads,
                           unsigned int refinements, unsigned int degree);
@@ -54,6 +54,18 @@ RefinedQuads refine_quads(const std::vector<Vector3<double>> &vertices, const st
  * across patches. */
 SurfaceDiscretization place_nodes(const RefinedQuads &mesh, unsigned int degree,
                                   const std::function<Vector3<double>(const PatchPoint &)> &point);
+
+/**
+ * The same for a map given patch by patch in the coordinates (u, v) in [0, 1]^2 of the quadrilaterals as they were
+ * before refine_quads() turned them: `quads` are the ones it was given.
+ */
+SurfaceDiscretization place_nodes(const RefinedQuads &mesh, const std::vector<QuadVertices> &quads, unsigned int degree,
+                                  const std::function<Vector3<double>(unsigned int patch, double u, double v)> &point);
+
+/** Vertices of quadrilaterals whose coordinates (u, v) the map is given in, for refine_quads(). */
+std::vector<Vector3<double>>
+corner_points(const std::vector<QuadVertices> &quads, std::size_t n_vertices,
+              const std::function<Vector3<double>(unsigned int patch, double u, double v)> &point);
 
 /** Gauss-Lobatto points of degree k on [-1, 1], exactly antisymmetric: the nodes of a cell along one direction. */
 std::vector<double> line_nodes(unsigned int degree);

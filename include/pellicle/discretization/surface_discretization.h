@@ -54,6 +54,14 @@ struct RigidMotion
   std::array<double, 3> rotation{};
 };
 
+/** A side of a cell, numbered as the cell's boundary is walked with the cell on the left: 0 along the first coordinate
+ * (second 0), 1 along the second (first 1), 2 back, 3 down. Of a meridian's cell: 0 its beginning, 1 its end. */
+struct CellSide
+{
+  std::size_t cell  = 0;
+  unsigned int side = 0;
+};
+
 /**
  * A closed line made of edges of cells: a rim at which an open surface ends, or the line around a region. It runs so
  * that the surface (the region) lies on its left seen from outside: nu = t x n, the conormal, points out of it.
@@ -65,6 +73,7 @@ struct EdgeLoop
   std::size_t n_cells = 0;    ///< one-dimensional ones; a meridian has one, a point
   /** Nodes of edge c along the line: cell_nodes[c * tables.n_nodes + i], nodes of the surface. */
   std::vector<std::size_t> cell_nodes;
+  std::vector<CellSide> sides; ///< of the surface's cell on the left of edge c
   /** Slots 0 (value) and 1 (derivative along the line); the others are zero. */
   ShapeTables tables;
 };

@@ -9,7 +9,7 @@ namespace pellicle
 struct SurfaceQuality
 {
   double area            = 0.;
-  double volume          = 0.; ///< integral of x.n/3
+  double volume          = 0.; ///< integral of x.n/3; without meaning on an open surface
   double cell_area_ratio = 1.; ///< largest over smallest cell area
   /** Smallest over all points of J/(|a_1| |a_2|), the sine of the angle between the parameter lines: 1 is rectangular.
    */
@@ -21,14 +21,14 @@ struct SurfaceQuality
 SurfaceQuality surface_quality(const SurfaceDiscretization &surface, const NodalVectors &positions);
 
 /**
- * Throws UserError unless the start shape can be computed with: finite positions, positive volume, J well above zero at
- * every quadrature point, and r > 0 between the poles of a meridian. `remedy` ends the message.
+ * Throws UserError unless the start shape can be computed with: finite positions, positive volume if it is closed, J
+ * well above zero at every quadrature point, and r > 0 between the poles of a meridian. `remedy` ends the message.
  */
 void check_start_positions(const SurfaceDiscretization &surface, const std::string &remedy);
 
 /**
- * Euler characteristic vertices - edges + cells of a closed surface: 2 without handles, 0 for a torus. A meridian
- * stands for a surface without handles.
+ * Euler characteristic vertices - edges + cells: 2 for a closed surface without handles, two less for every handle and
+ * one less for every rim. A meridian stands for a surface without handles.
  */
 int euler_characteristic(const SurfaceDiscretization &surface);
 } // namespace pellicle
