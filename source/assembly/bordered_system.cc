@@ -208,8 +208,7 @@ void BorderedSystem::curve(const Cell &cell, const Element &physics)
       {
         double along = 0.;
         for (unsigned int c = 0; c < 3; ++c)
-          along += unknowns.charts[f].unit_vectors[cell.nodes[i]][c] *
-                   physics.gradient[(3 * f + c) * cell.n_nodes + i];
+          along += unknowns.charts[f].unit_vectors[cell.nodes[i]][c] * physics.gradient[(3 * f + c) * cell.n_nodes + i];
         for (unsigned int a = 0; a < n_rows; ++a)
           projected[(row + a) * m + row + a] -= along;
       }

@@ -32,8 +32,7 @@ std::map<std::size_t, Vector3<double>> nodal_line_tangents(const SurfaceDiscreti
       const std::size_t *nodes = loop.cell_nodes.data() + edge * along.n_nodes;
       for (unsigned int i = 0; i < along.n_nodes; ++i)
         for (unsigned int j = 0; j < along.n_nodes; ++j)
-          tangents[nodes[i]] +=
-              along.tables[1][std::size_t(i) * along.n_nodes + j] * vector_at(positions, nodes[j]);
+          tangents[nodes[i]] += along.tables[1][std::size_t(i) * along.n_nodes + j] * vector_at(positions, nodes[j]);
     }
   for (auto &[node, t] : tangents)
     t = normalised(t);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/surface_quality.h>
+#include <pellicle/models/edge_conditions.h>
 #include <pellicle/models/surface_model.h>
 
 #include <algorithm>
@@ -64,7 +66,13 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
   centroid = normalise(discretization, unit.length);
   add_node_noise(scene.vesicle);
   set_blas_threads(newton.threads);
-  problem = std::make_unique<SurfaceProblem>(discretization, potentials_of(scene), NodalConditions{}, communicator,
+  take_from_mesh(scene);
+  PotentialSet potentials          = potentials_of(scene);
+  const NodalConditions conditions = edge_conditions(discretization, targets);
+  // Held rims fix the surface in space; there are no rigid motions left.
+  if (const auto position = conditions.find("position"); position != conditions.end())
+    discretization.rigid_motions.clear();
+  problem = std::make_unique<SurfaceProblem>(discretization, std::move(potentials), conditions, communicator,
                                              newton.linear_solver, timing);
   solver  = make_linear_solver(newton.linear_solver);
   check_constraints_are_independent();
@@ -155,8 +163,33 @@ void SurfaceModel::update(const SurfaceScene &scene)
 
 PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
 {
-  targets = scene.targets(unit);
+  targets                      = scene.targets(unit);
+  targets.reference            = reference;
+  targets.euler_characteristic = euler_characteristic(discretization);
+  for (SceneEdge &edge : targets.edges)
+    edge.conormals = conormals.at(edge.name);
   return scene.potentials(unit, targets);
+}
+
+// What potentials need to know of the start shape and the reference shape, at quadrature points.
+void SurfaceModel::take_from_mesh(const SurfaceScene &scene)
+{
+  const bool has_skin = !is_reparametrisation_invariant(scene.potentials(unit));
+  if (has_skin)
+  {
+    NodalVectors positions = discretization.positions;
+    if (const std::optional<StartShape> shape = scene.reference_shape())
+    {
+      positions = make_start_shape(*shape).positions;
+      for (double &x : positions)
+        x /= unit.length;
+    }
+    reference = std::make_shared<const std::vector<ReferenceMetric>>(reference_metric(discretization, positions));
+  }
+  for (const EdgeLoop &loop : discretization.edges)
+    conormals[loop.name] = loop.is_rim ? std::make_shared<const std::vector<Vector3<double>>>(
+                                             start_conormals(discretization, loop, scene.start_shape()))
+                                       : nullptr;
 }
 
 StepResult SurfaceModel::solve(const int step, Observer &observer)

@@ -106,7 +106,8 @@ SurfaceProblem::SurfaceProblem(const SurfaceDiscretization &discretization, Pote
     , timing(timing)
     , field_layout(set)
     , assembler(surface, field_layout, set, communicator, Assembler::everything(set, field_layout))
-    , elimination(surface, field_layout, set, conditions, start_fields(surface, field_layout, conditions), communicator, linear_solver, timing)
+    , elimination(surface, field_layout, set, conditions, start_fields(surface, field_layout, conditions), communicator,
+                  linear_solver, timing)
 {
   SurfaceState start;
   start.fields = start_fields(surface, field_layout, conditions);

@@ -18,6 +18,8 @@ std::string energy_quantity(const std::string &potential)
 {
   if (potential == "helfrich bending")
     return "bending_energy";
+  if (potential == "gaussian curvature")
+    return "gaussian_energy";
   std::string name = potential + "_energy";
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
@@ -47,6 +49,8 @@ std::vector<NamedQuantity> SurfaceModel::energies() const
   const double shift = energy_of_self_terms(values, problem->state().multipliers);
   if (shift != 0.)
     add_to(list, {"bending_energy", shift, dimensions::energy});
+  for (const NamedQuantity &constant : set.constants)
+    add_to(list, constant);
   for (std::size_t k = 0; k < set.constraints.size(); ++k)
     if (const Constraint &constraint = set.constraints[k]; !constraint.energy.empty())
     {
@@ -98,6 +102,11 @@ std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
   report("total_energy", total, dimensions::energy);
   for (const NamedQuantity &force : forces())
     report(force.name, force.value, force.dimension);
+  // Measures that nothing else reports: length of a tether, area of a domain.
+  const PotentialSet &set = problem->potentials();
+  for (std::size_t k = 0; k < set.constraints.size(); ++k)
+    if (set.constraints[k].is_own_quantity)
+      report(set.constraints[k].quantity, problem->values().constraints[k], set.constraints[k].dimension);
   report("integrated_mean_curvature", integrated_mean_curvature(discretization, positions, curvature.curvature_vector),
          dimensions::length);
   report("gauss_bonnet", shape.gauss_bonnet, dimensions::none);

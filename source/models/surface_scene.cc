@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/models/surface_scene.h>
+#include <pellicle/potentials/constraints/lipid_domain.h>
+#include <pellicle/potentials/constraints/tether.h>
+#include <pellicle/potentials/energies/helfrich_bending.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +12,14 @@ namespace pellicle
 namespace
 {
 constexpr double pi = 3.141592653589793238462643;
+
+// A third of the scale on which the membrane bends at the tip, or what equal cells have.
+double smallest_tether_cell(const TetherParameters &tether, const StartShape &shape)
+{
+  const double equal = (tether.ring_radius - tether.tip_radius) / (shape.radial_cells << shape.refinements);
+  return std::min(equal, tether.tip_radius / 3.);
 }
+} // namespace
 
 void MeshParameters::bind(ParameterSection &section)
 {
@@ -33,13 +43,34 @@ void VesicleParameters::bind(ParameterSection &section)
   section.number("Reduced volume", reduced_volume, {0., 1., true, false, false}, dimensions::none,
                  "Reduced volume v = 3 V/(4 pi (A/4 pi)^1.5) in (0, 1]: makes the start shapes prolate, oblate and "
                  "stomatocyte, and is the target of the volume constraint.");
-  section.choice("Start shape", start_shape, start_shape_names(),
-                 "Shape at the start, scaled to Area: spheroids and stomatocyte of the given reduced volume, ellipsoid "
-                 "(Semi axes), biconcave, torus (Torus ratio), file (Mesh/File).");
+  std::vector<std::string> shapes = start_shape_names();
+  shapes.insert(shapes.end(), {"cap", "disc", "tube"});
+  section.choice(
+      "Start shape", start_shape, shapes,
+      "Shape at the start, scaled to Area: spheroids and stomatocyte of the given reduced volume, ellipsoid "
+      "(Semi axes), biconcave, torus (Torus ratio), file (Mesh/File); open ones: cap (Cap angle), flat disc, "
+      "tube (Tube ratio). The effect tether makes a shape of its own.");
   section.numbers("Semi axes", semi_axes, Range::positive(), dimensions::none,
                   "Ratio of the three semi axes of the start shape `ellipsoid`.");
   section.number("Torus ratio", torus_ratio, {1., 1e6, true, false, false}, dimensions::none,
                  "R/r of the start shape `torus`.");
+  section.number(
+      "Cap angle", cap_angle, {0., 180., true, true, false}, dimensions::none,
+      "Angle from the pole to the rim of the start shape `cap`, seen from the centre of its sphere, in degrees.");
+  section.number("Tube ratio", tube_ratio, {1e-3, 1e3, true, true, false}, dimensions::none,
+                 "Length over radius of the start shape `tube`, an open cylinder about the z axis.");
+  section.choice(
+      "Rim", rim, {"free", "hinged", "clamped"},
+      "What holds the rims of an open start shape: nothing; their place; their place and the tangent plane of "
+      "the start shape.");
+  section.choice("Reference shape", reference_shape,
+                 {"start shape", "sphere", "prolate", "oblate", "stomatocyte", "ellipsoid", "biconcave"},
+                 "Shape at which elastic skins are free of stress: the start shape, or another one. Material points of "
+                 "both belong together by the sphere that they are maps of.");
+  section.number("Reference area", reference_area, Range::positive(), dimensions::area,
+                 "Area of the reference shape, if it is not the start shape.");
+  section.number("Reference reduced volume", reference_reduced_volume, {0., 1., true, false, false}, dimensions::none,
+                 "Reduced volume of the reference shape, where that makes it (prolate, oblate, stomatocyte).");
   section.number("Node noise", node_noise, Range::between(0., 0.5), dimensions::none,
                  "Random displacement of the nodes of the start shape, uniform in [-f, f] times the node spacing in "
                  "each component.");
@@ -95,6 +126,9 @@ void SurfaceScene::check() const
   if (vesicle.start_shape != "file" && !mesh.file.empty())
     throw UserError("Mesh/File is '" + mesh.file + "', but Vesicle/Start shape is '" + vesicle.start_shape +
                     "': set it to 'file', or remove Mesh/File.");
+  if (!edges().empty() && has_effect("volume constraint") && !has_effect("lipid domain"))
+    throw UserError("The effect 'volume constraint' needs a closed surface, but the start shape is open. Prescribe a "
+                    "pressure instead, or take a closed start shape.");
   if (has_effect("area constraint") && has_effect("volume constraint") && vesicle.reduced_volume >= 1.)
     throw UserError("Vesicle/Reduced volume = 1 with both area and volume constraint: only the sphere has it, and "
                     "there the two constraints are not "
@@ -127,7 +161,11 @@ void SurfaceScene::check() const
 Scales SurfaceScene::scales() const
 {
   Scales scales;
-  scales.length  = std::sqrt(vesicle.area / (4. * pi));
+  scales.length       = std::sqrt(vesicle.area / (4. * pi));
+  const auto *tether  = find<TetherEffect>();
+  const auto *bending = find<HelfrichBendingEffect>();
+  if (tether != nullptr && bending != nullptr)
+    scales.length = std::sqrt(bending->parameters.bending_rigidity / (2. * tether->parameters.tension));
   double largest = 0.;
   for (const auto &effect : effects)
     if (const std::optional<double> energy = effect->typical_energy(scales.length))
@@ -149,12 +187,55 @@ StartShape SurfaceScene::start_shape() const
   shape.reduced_volume = vesicle.reduced_volume;
   shape.semi_axes      = {{vesicle.semi_axes[0], vesicle.semi_axes[1], vesicle.semi_axes[2]}};
   shape.torus_ratio    = vesicle.torus_ratio;
+  shape.cap_angle      = vesicle.cap_angle * pi / 180.;
+  shape.tube_ratio     = vesicle.tube_ratio;
   shape.file           = mesh.file;
   shape.degree         = static_cast<unsigned int>(mesh.degree);
   shape.refinements    = static_cast<unsigned int>(mesh.refinements);
   shape.axial          = mesh.symmetry != "none";
   shape.mirror         = mesh.symmetry == "axial mirror";
+  if (const auto *domain = find<LipidDomainEffect>())
+    shape.region_fraction = domain->parameters.area_fraction;
+  if (const auto *tether = find<TetherEffect>())
+  {
+    shape.name          = "annulus";
+    shape.inner_radius  = tether->parameters.tip_radius;
+    shape.outer_radius  = tether->parameters.ring_radius;
+    shape.smallest_cell = smallest_tether_cell(tether->parameters, shape);
+  }
   return shape;
+}
+
+std::optional<StartShape> SurfaceScene::reference_shape() const
+{
+  if (vesicle.reference_shape == "start shape")
+    return std::nullopt;
+  StartShape shape     = start_shape();
+  shape.name           = vesicle.reference_shape;
+  shape.area           = vesicle.reference_area;
+  shape.reduced_volume = vesicle.reference_reduced_volume;
+  if (vesicle.reference_shape == "sphere")
+  {
+    shape.name      = "ellipsoid";
+    shape.semi_axes = {{1., 1., 1.}};
+  }
+  return shape;
+}
+
+std::vector<SceneEdge> SurfaceScene::edges() const
+{
+  const EdgeSupport rim = vesicle.rim == "free"     ? EdgeSupport::free
+                          : vesicle.rim == "hinged" ? EdgeSupport::hinged
+                                                    : EdgeSupport::clamped;
+  if (has_effect("tether"))
+    return {{"tip", EdgeSupport::clamped}, {"ring", EdgeSupport::clamped}};
+  if (has_effect("lipid domain"))
+    return {{"domain boundary", EdgeSupport::inner}};
+  if (vesicle.start_shape == "cap" || vesicle.start_shape == "disc")
+    return {{"rim", rim}};
+  if (vesicle.start_shape == "tube")
+    return {{"upper rim", rim}, {"lower rim", rim}};
+  return {};
 }
 
 SceneTargets SurfaceScene::targets(const Scales &scales) const
@@ -162,6 +243,7 @@ SceneTargets SurfaceScene::targets(const Scales &scales) const
   SceneTargets targets;
   targets.area   = vesicle.area / scales.of(dimensions::area);
   targets.volume = target_volume() / scales.of(dimensions::volume);
+  targets.edges  = edges();
   for (const auto &effect : effects)
     effect->prepare(scales, targets);
   return targets;

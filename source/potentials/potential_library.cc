@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/potentials/constraints/bilayer_curvature.h>
 #include <pellicle/potentials/constraints/enclosed_volume.h>
+#include <pellicle/potentials/constraints/lipid_domain.h>
+#include <pellicle/potentials/constraints/tether.h>
 #include <pellicle/potentials/constraints/total_area.h>
+#include <pellicle/potentials/edges/gaussian_curvature.h>
+#include <pellicle/potentials/edges/line_tension.h>
 #include <pellicle/potentials/energies/helfrich_bending.h>
 #include <pellicle/potentials/energies/incompressible_rubber_skin.h>
 #include <pellicle/potentials/energies/neo_hookean_skin.h>
@@ -23,6 +27,10 @@ EffectLibrary standard_effects()
   library.add("volume constraint", [] { return std::make_unique<VolumeConstraintEffect>(); });
   library.add("bilayer coupling", [] { return std::make_unique<BilayerCouplingEffect>(); });
   library.add("area difference elasticity", [] { return std::make_unique<AreaDifferenceElasticityEffect>(); });
+  library.add("gaussian curvature", [] { return std::make_unique<GaussianCurvatureEffect>(); });
+  library.add("line tension", [] { return std::make_unique<LineTensionEffect>(); });
+  library.add("lipid domain", [] { return std::make_unique<LipidDomainEffect>(); });
+  library.add("tether", [] { return std::make_unique<TetherEffect>(); });
   library.add("surface tension", [] { return std::make_unique<SurfaceTensionEffect>(); });
   library.add("pressure", [] { return std::make_unique<PressureEffect>(); });
   library.add(NeoHookeanSkin::name, [] { return std::make_unique<SkinEffect<NeoHookeanSkin>>(); });

@@ -13,7 +13,8 @@ inline Vector3<double> vector_at(const NodalVectors &vectors, const std::size_t 
   return {vectors[3 * node], vectors[3 * node + 1], vectors[3 * node + 2]};
 }
 
-/** Unit tangents t of the edge loops at their nodes, in the loops' direction: the mean over the edges that meet there. */
+/** Unit tangents t of the edge loops at their nodes, in the loops' direction: the mean over the edges that meet there.
+ */
 std::map<std::size_t, Vector3<double>> nodal_line_tangents(const SurfaceDiscretization &discretization,
                                                            const NodalVectors &positions);
 

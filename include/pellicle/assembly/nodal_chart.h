@@ -31,8 +31,8 @@ struct NodalChart
 
   /**
    * Of a field of unit vectors: its values at the nodes, at which the columns are tangential to the unit sphere. A step
-   * is then followed by normalisation, and the matrix gains -(g . v) on the diagonal (g the gradient with respect to v in
-   * R^3), the second derivative of that retraction. Empty: a field of plain vectors.
+   * is then followed by normalisation, and the matrix gains -(g . v) on the diagonal (g the gradient with respect to v
+   * in R^3), the second derivative of that retraction. Empty: a field of plain vectors.
    */
   std::vector<std::array<double, 3>> unit_vectors;
 

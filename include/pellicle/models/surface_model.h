@@ -7,6 +7,7 @@
 #include <pellicle/models/surface_sample.h>
 #include <pellicle/models/surface_scene.h>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,6 +63,7 @@ public:
 private:
   void add_node_noise(const VesicleParameters &vesicle);
   void check_constraints_are_independent();
+  void take_from_mesh(const SurfaceScene &scene);
   PotentialSet potentials_of(const SurfaceScene &scene);
   void look_at_stability(EquilibriumSearch &search);
   void count_unknowns();
@@ -73,8 +75,10 @@ private:
   SurfaceDiscretization discretization;
   std::unique_ptr<SurfaceProblem> problem;
   std::unique_ptr<LinearSolver> solver;
-  SurfaceState last_iterate; ///< of the last solve that failed
-  SceneTargets targets;      ///< what the effects were given, internal units
+  SurfaceState last_iterate;                                     ///< of the last solve that failed
+  SceneTargets targets;                                          ///< what the effects were given, internal units
+  std::shared_ptr<const std::vector<ReferenceMetric>> reference; ///< of elastic skins
+  std::map<std::string, std::shared_ptr<const std::vector<Vector3<double>>>> conormals; ///< of rims, by their names
   StabilityParameters stability_parameters;
   bool analyses_stability = false;
   std::optional<Stability> last_stability;

@@ -9,6 +9,7 @@
 #include <pellicle/solvers/newton.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,15 @@ struct VesicleParameters
   double reduced_volume   = 0.9;
   std::string start_shape = "prolate";
   std::vector<double> semi_axes{1., 1., 1.2};
-  double torus_ratio = 1.4142135623730951;
-  double node_noise  = 0.;
-  int random_seed    = 1;
+  double torus_ratio              = 1.4142135623730951;
+  double cap_angle                = 90.;
+  double tube_ratio               = 1.;
+  std::string rim                 = "free";
+  std::string reference_shape     = "start shape";
+  double reference_area           = 12.566370614359172;
+  double reference_reduced_volume = 0.95;
+  double node_noise               = 0.;
+  int random_seed                 = 1;
 
   void bind(ParameterSection &section);
 };
@@ -68,11 +75,24 @@ struct SurfaceScene
   void check() const;
 
   bool has_effect(const std::string &name) const;
+  /** The listed effect of a type; null if it is not listed. */
+  template <typename EffectType>
+  const EffectType *find() const
+  {
+    for (const auto &effect : effects)
+      if (const auto *found = dynamic_cast<const EffectType *>(effect.get()))
+        return found;
+    return nullptr;
+  }
   bool has_analysis(const std::string &name) const;
   Scales scales() const;        ///< length sqrt(A/4 pi), energy typical of the effects
   double target_volume() const; ///< v (4 pi/3) (A/4 pi)^(3/2), the user's units
 
   StartShape start_shape() const;
+  /** The reference shape of elastic skins, on the same mesh; none if it is the start shape. */
+  std::optional<StartShape> reference_shape() const;
+  /** Edge loops of the surface and what holds them. */
+  std::vector<SceneEdge> edges() const;
   /** What effects take from the scene and from each other; what only a mesh knows is left out. */
   SceneTargets targets(const Scales &scales) const;
   /** Energies and constraints in internal units. */

@@ -33,10 +33,11 @@ struct Constraint
   std::shared_ptr<const Potential> self_term;
   double target    = 0.;
   double stiffness = std::numeric_limits<double>::infinity();
-  std::string quantity;        ///< reported name of g, e.g. "volume"
-  std::string multiplier;      ///< reported name of the multiplier, e.g. "pressure"
-  double multiplier_sign = 1.; ///< reported multiplier = sign * lambda
-  Dimension dimension;         ///< of g; the multiplier's is energy / dimension
+  std::string quantity;         ///< reported name of g, e.g. "volume"
+  bool is_own_quantity = false; ///< whether g is reported for the constraint's sake (area and volume always are)
+  std::string multiplier;       ///< reported name of the multiplier, e.g. "pressure"
+  double multiplier_sign = 1.;  ///< reported multiplier = sign * lambda
+  Dimension dimension;          ///< of g; the multiplier's is energy / dimension
   /** For a finite stiffness that is physics: the reported name of (stiffness/2) (g - target)^2, which then counts in
    * the total energy. Empty: a penalty. */
   std::string energy;
@@ -55,14 +56,33 @@ struct PotentialSet
 {
   std::vector<std::shared_ptr<const Potential>> energies;
   std::vector<Constraint> constraints;
-  std::vector<NamedQuantity> prescribed; ///< only for reports
+  std::vector<NamedQuantity> prescribed; ///< forces, only for reports
+  std::vector<NamedQuantity> constants;  ///< energies that no shape changes, only for reports
 };
 
 /** Coefficients of the bending energy (kappa/2)(2H + C0)^2. */
 struct BendingLaw
 {
-  double rigidity              = 1.; ///< kappa
+  double rigidity              = 0.; ///< kappa
   double spontaneous_curvature = 0.; ///< C0
+};
+
+/** What holds an edge loop. */
+enum class EdgeSupport
+{
+  free,    ///< nothing
+  hinged,  ///< its place is held
+  clamped, ///< its place and the tangent plane there are held
+  inner    ///< no rim: the surface goes on
+};
+
+/** An edge loop of the scene's surface. */
+struct SceneEdge
+{
+  std::string name;
+  EdgeSupport support = EdgeSupport::free;
+  /** Outward unit conormals at the quadrature points, for a clamp; null while a scene is only checked. */
+  std::shared_ptr<const std::vector<Vector3<double>>> conormals = nullptr;
 };
 
 /** What effects may take from the scene besides their own parameters, and from each other; internal units. */
@@ -72,6 +92,11 @@ struct SceneTargets
   double volume = 0.; ///< from `Vesicle/Reduced volume`
   /** Bending by region (0: the membrane outside all other regions); empty without bending. */
   std::vector<BendingLaw> bending = {};
+  /** Whether the scene lists the bending energy. */
+  bool has_bending() const { return !bending.empty() && bending[0].rigidity > 0.; }
+  double gaussian_modulus      = 0.; ///< kappa_G; 0 without the effect
+  std::vector<SceneEdge> edges = {};
+  int euler_characteristic     = 2;
   /** Metric of the reference shape at every quadrature point, for elastic skins; null while a scene is only checked. */
   std::shared_ptr<const std::vector<ReferenceMetric>> reference = nullptr;
 };

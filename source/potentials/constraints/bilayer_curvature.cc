@@ -10,7 +10,7 @@ namespace
 /** What both effects share; target and stiffness are left to them. */
 Constraint curvature_constraint(const std::string &effect, const SceneTargets &targets)
 {
-  if (targets.bending.empty())
+  if (!targets.has_bending())
     throw UserError("The effect '" + effect +
                     "' needs curvature, which only the bending energy computes: add 'helfrich bending' to Effects.");
   Constraint constraint;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/potentials/density_potential.h>
+#include <pellicle/potentials/edges/edge_bending.h>
 #include <pellicle/potentials/energies/helfrich_bending.h>
 
 #include <algorithm>
@@ -105,5 +106,16 @@ void HelfrichBendingEffect::contribute(const Scales & /*scales*/, const SceneTar
   else
     for (std::size_t region = 0; region < targets.bending.size(); ++region)
       add(targets.bending[region], {Where::Part::region, region_name(region)});
+
+  // An edge's share of the same energy: without it the moment could not do work on the slope there.
+  for (const SceneEdge &edge : targets.edges)
+  {
+    const Where where{Where::Part::edge, edge.name};
+    if (edge.support == EdgeSupport::clamped)
+      set.energies.push_back(
+          std::make_shared<DensityPotential<ClampedEdge>>(name(), ClampedEdge{edge.conormals}, where));
+    else if (edge.support != EdgeSupport::inner && targets.gaussian_modulus != 0.)
+      set.energies.push_back(std::make_shared<DensityPotential<HingedEdge>>(name(), HingedEdge{}, where));
+  }
 }
 } // namespace pellicle

@@ -10,18 +10,19 @@
 namespace pellicle
 {
 /**
- * Edges in the (x, P) form of the bending energy. The surface term, the integral of a^ab x,a . P,b, is the curvature times
- * P only up to an edge term: minus the integral of nu . P along the edge, nu the outward unit conormal, makes it complete.
+ * Edges in the (x, P) form of the bending energy. The surface term, the integral of a^ab x,a . P,b, is the curvature
+ * times P only up to an edge term: minus the integral of nu . P along the edge, nu the outward unit conormal, makes it
+ * complete.
  *
  *  - clamped edge: nu is given;
  *  - hinged or free edge with kappa_G = 0: nu is free, which makes P . n = 0 there; the moment is simply held at zero;
- *  - hinged or free edge with kappa_G: nu is an unknown field "edge conormal", and its equation P . n = kappa_G b_tt the
- *    balance of moments (theory B.5).
+ *  - hinged or free edge with kappa_G: nu is an unknown field "edge conormal", and its equation P . n = kappa_G b_tt
+ * the balance of moments (theory B.5).
  */
 struct ClampedEdge
 {
-  static constexpr std::array<FieldUse, 2> fields{{{"position", Derivatives::first, FieldRole::independent},
-                                                   {"moment", Derivatives::none, FieldRole::internal}}};
+  static constexpr std::array<FieldUse, 2> fields{
+      {{"position", Derivatives::first, FieldRole::independent}, {"moment", Derivatives::none, FieldRole::internal}}};
   static constexpr bool reparametrisation_invariant = true; ///< of a line that keeps its place
 
   std::shared_ptr<const std::vector<Vector3<double>>> conormals; ///< nu by PointData::index
@@ -44,19 +45,17 @@ struct HingedEdge
        {"edge conormal", Derivatives::first, FieldRole::internal, FieldSpace::edge_conormals}}};
   static constexpr bool reparametrisation_invariant = true;
 
-  double factor = -1.;
-
   template <typename Number>
   Number density(const PointInputs<Number, 3> &inputs, const PointData & /*data*/) const
   {
-    return factor * dot(inputs[2].value(), inputs[1].value()) * norm(inputs[0].d1());
+    return -dot(inputs[2].value(), inputs[1].value()) * norm(inputs[0].d1());
   }
 };
 
 /**
- * -kappa_G times the geodesic curvature of an edge, kappa_g = (dnu/ds) . t (1/R for the rim of a flat disc). By the theorem
- * of Gauss and Bonnet the Gaussian energy kappa_G times the integral of K is this plus 2 pi chi kappa_G. With a conormal
- * that is continuous along the edge there are no turning angles at the vertices of cells.
+ * -kappa_G times the geodesic curvature of an edge, kappa_g = (dnu/ds) . t (1/R for the rim of a flat disc). By the
+ * theorem of Gauss and Bonnet the Gaussian energy kappa_G times the integral of K is this plus 2 pi chi kappa_G. With a
+ * conormal that is continuous along the edge there are no turning angles at the vertices of cells.
  */
 struct GeodesicCurvature
 {
@@ -71,21 +70,6 @@ struct GeodesicCurvature
   Number density(const PointInputs<Number, 2> &inputs, const PointData & /*data*/) const
   {
     return -gaussian_modulus * dot(inputs[1].d1(), inputs[0].d1()) / norm(inputs[0].d1());
-  }
-};
-
-/** lambda times the length of an edge. */
-struct EdgeTension
-{
-  static constexpr std::array<FieldUse, 1> fields{{{"position", Derivatives::first, FieldRole::independent}}};
-  static constexpr bool reparametrisation_invariant = true;
-
-  double line_tension = 0.; ///< lambda
-
-  template <typename Number>
-  Number density(const PointInputs<Number, 1> &inputs, const PointData & /*data*/) const
-  {
-    return line_tension * norm(inputs[0].d1());
   }
 };
 } // namespace pellicle

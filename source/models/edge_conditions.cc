@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/exceptions.h>
+#include <pellicle/models/edge_conditions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pellicle
+{
+namespace
+{
+constexpr double half_pi = 1.5707963267948966;
+
+const EdgeLoop &loop_named(const SurfaceDiscretization &discretization, const std::string &name)
+{
+  const auto &edges = discretization.edges;
+  const auto found  = std::find_if(edges.begin(), edges.end(), [&](const EdgeLoop &e) { return e.name == name; });
+  PELLICLE_ASSERT(found != edges.end(), "the scene names an edge that the mesh does not have");
+  return *found;
+}
+
+void set_all(FieldConditions &conditions, const SurfaceDiscretization &discretization, const EdgeLoop &loop,
+             const std::optional<AdmissibleDirections> &directions)
+{
+  conditions.only.resize(discretization.n_nodes);
+  for (const std::size_t node : loop.cell_nodes)
+    conditions.only[node] = directions;
+}
+
+AdmissibleDirections along_z()
+{
+  AdmissibleDirections directions;
+  directions.count   = 1;
+  directions.columns = {{{{0., 0., 1.}}, {}, {}}};
+  return directions;
+}
+
+/** All nodes of a loop move as its first one. */
+void tie(FieldConditions &conditions, const SurfaceDiscretization &discretization, const EdgeLoop &loop)
+{
+  conditions.leader.resize(discretization.n_nodes);
+  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+    conditions.leader[I] = I;
+  for (const std::size_t node : loop.cell_nodes)
+    conditions.leader[node] = loop.cell_nodes.front();
+}
+
+/** Elevation of a rim's conormal above the horizontal plane. */
+double elevation(const EdgeLoop &loop, const StartShape &shape)
+{
+  if (loop.name == "tip")
+    return 2. * half_pi; // inwards
+  if (loop.name == "upper rim")
+    return half_pi;
+  if (loop.name == "lower rim")
+    return -half_pi;
+  return shape.name == "cap" ? -shape.cap_angle : 0.;
+}
+} // namespace
+
+NodalConditions edge_conditions(const SurfaceDiscretization &discretization, const SceneTargets &targets)
+{
+  NodalConditions conditions;
+  for (const SceneEdge &edge : targets.edges)
+  {
+    if (edge.support == EdgeSupport::inner)
+      continue;
+    const EdgeLoop &loop    = loop_named(discretization, edge.name);
+    const bool has_conormal = edge.support != EdgeSupport::clamped && targets.gaussian_modulus != 0.;
+    if (edge.name == "tip")
+    {
+      set_all(conditions["position"], discretization, loop, along_z());
+      tie(conditions["position"], discretization, loop);
+    }
+    else if (edge.support != EdgeSupport::free)
+      set_all(conditions["position"], discretization, loop, held());
+    if (edge.support != EdgeSupport::clamped && !has_conormal)
+      set_all(conditions["moment"], discretization, loop, held());
+    if (has_conormal)
+    {
+      FieldConditions &conormals = conditions["edge conormal"];
+      if (conormals.only.empty())
+        conormals.only.assign(discretization.n_nodes, held());
+      set_all(conormals, discretization, loop, std::nullopt);
+    }
+  }
+  return conditions;
+}
+
+std::vector<Vector3<double>> start_conormals(const SurfaceDiscretization &discretization, const EdgeLoop &loop,
+                                             const StartShape &shape)
+{
+  const double b            = elevation(loop, shape);
+  const ShapeTables &tables = loop.tables;
+  std::vector<Vector3<double>> result;
+  std::vector<double> inputs(std::size_t(tables.n_points) * 18);
+  for (std::size_t edge = 0; edge < loop.n_cells; ++edge)
+  {
+    evaluate_field(tables, loop.cell_nodes.data() + edge * tables.n_nodes, discretization.positions, 1, inputs.data());
+    for (unsigned int q = 0; q < tables.n_points; ++q)
+    {
+      const double x = inputs[18 * q], y = inputs[18 * q + 1], r = std::hypot(x, y);
+      result.emplace_back(std::cos(b) * x / r, std::cos(b) * y / r, std::sin(b));
+    }
+  }
+  return result;
+}
+} // namespace pellicle

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/exact_text.h>
+#include <pellicle/base/exceptions.h>
+#include <pellicle/potentials/constraints/tether.h>
+#include <pellicle/potentials/density_potential.h>
+#include <pellicle/potentials/energies/surface_tension.h>
+
+namespace pellicle
+{
+void TetherParameters::bind(ParameterSection &section)
+{
+  section.number("Length", length, Range::any(), dimensions::length,
+                 "Height L of the tip above the plane of the ring.");
+  section.number("Ring radius", ring_radius, Range::positive(), dimensions::length,
+                 "Radius of the outer ring, at which the membrane is clamped flat.");
+  section.number("Tip radius", tip_radius, Range::positive(), dimensions::length,
+                 "Radius of the tip, a rigid flat disc; the membrane is clamped flat at its rim and leaves it out. The "
+                 "highest force of a pull depends on it.");
+  section.number("Tension", tension, Range::positive(), dimensions::tension,
+                 "Tension sigma of the membrane, in E = sigma A. The tube has the radius sqrt(kappa/(2 sigma)).");
+}
+
+const std::string &TetherEffect::name() const
+{
+  static const std::string text = "tether";
+  return text;
+}
+
+std::string TetherEffect::description() const
+{
+  return "A tube is pulled from a flat membrane under tension by a rigid tip, held at the height Tether/Length; its "
+         "multiplier is the force.";
+}
+
+void TetherEffect::check() const
+{
+  if (parameters.tip_radius >= parameters.ring_radius)
+    throw UserError("Tether/Tip radius = " + exact_text(parameters.tip_radius) +
+                    " must be smaller than Tether/Ring radius = " + exact_text(parameters.ring_radius) + ".");
+}
+
+void TetherEffect::contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const
+{
+  if (!targets.has_bending())
+    throw UserError("The effect 'tether' needs the bending energy, which gives the tube its radius: add 'helfrich "
+                    "bending' to Effects.");
+  const TetherParameters p = scaled(parameters, scales);
+  set.energies.push_back(
+      std::make_shared<DensityPotential<SurfaceTension>>("surface tension", SurfaceTension{p.tension}));
+  set.prescribed.push_back({"tension", p.tension, dimensions::tension});
+  Constraint height;
+  height.measure =
+      std::make_shared<DensityPotential<TipHeight>>(name(), TipHeight{p.tip_radius}, Where{Where::Part::edge, "tip"});
+  height.target          = p.length;
+  height.quantity        = "length";
+  height.is_own_quantity = true;
+  height.multiplier      = "force";
+  height.multiplier_sign = -1.;
+  height.dimension       = dimensions::length;
+  set.constraints.push_back(height);
+}
+} // namespace pellicle

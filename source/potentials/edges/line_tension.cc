@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/exceptions.h>
+#include <pellicle/potentials/density_potential.h>
+#include <pellicle/potentials/edges/line_tension.h>
+
+namespace pellicle
+{
+void LineTensionParameters::bind(ParameterSection &section)
+{
+  section.number("Line tension", line_tension, Range::any(), dimensions::line_tension,
+                 "Line tension lambda in E = lambda times the length of free rims and of lines around regions. "
+                 "Positive: the line wants to be short.");
+}
+
+const std::string &LineTensionEffect::name() const
+{
+  static const std::string text = "line tension";
+  return text;
+}
+
+std::string LineTensionEffect::description() const
+{
+  return "Energy lambda times the length of free rims and of the lines around regions.";
+}
+
+void LineTensionEffect::contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const
+{
+  const double lambda = scaled(parameters, scales).line_tension;
+  bool found          = false;
+  for (const SceneEdge &edge : targets.edges)
+    if (edge.support == EdgeSupport::free || edge.support == EdgeSupport::inner)
+    {
+      found = true;
+      set.energies.push_back(std::make_shared<DensityPotential<LineTension>>(name(), LineTension{lambda},
+                                                                             Where{Where::Part::edge, edge.name}));
+    }
+  if (!found)
+    throw UserError(
+        "The effect 'line tension' needs a line that can move: an open start shape with Vesicle/Rim = free, "
+        "or the effect 'lipid domain'.");
+}
+} // namespace pellicle
