@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/apps/branch_run.h>
 #include <pellicle/apps/surface_run.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/expression.h>
@@ -110,11 +111,13 @@ SurfaceScene scene_at_start_of_load(SurfaceSceneFile &file, const LoadParameters
   const double own = number_of_load("Parameter", load.parameter, [&] { return file.number(load.parameter); });
   const double from =
       load.from.empty() ? own : number_of_load("From", load.from, [&] { return evaluate_number(load.from); });
-  const double to = number_of_load("To", load.to, [&] { return evaluate_number(load.to); });
+  const double to = load.to.empty() ? own : number_of_load("To", load.to, [&] { return evaluate_number(load.to); });
   file.set(load.parameter, to, "Load/To");
   file.read();
   file.set(load.parameter, from, "Load/From");
-  return file.read();
+  SurfaceScene scene = file.read();
+  scene.load.to      = exact_text(to);
+  return scene;
 }
 
 std::string commented_scene_of(const SurfaceApplication &application)
@@ -148,6 +151,20 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
   const double to            = stepping ? evaluate_number(load.to) : 0.;
   std::string failure;
 
+  const auto report = [&](const int step, const double fraction_done, const double value, const int iterations)
+  {
+    StepReport done;
+    done.step              = step;
+    done.fraction_done     = fraction_done;
+    done.stepped_parameter = load.parameter;
+    done.stepped_value     = value;
+    done.iterations        = iterations;
+    done.quantities        = model.quantities();
+    if (model.stability())
+      done.quantities.emplace_back("negative_eigenvalues", model.stability()->negative_eigenvalues);
+    observer.on_step(done);
+    result.quantities = model.quantities();
+  };
   const auto attempt = [&](const double t)
   {
     const int step     = result.newton.steps;
@@ -169,16 +186,7 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
     result.warnings.insert(result.warnings.end(), outcome.warnings.begin(), outcome.warnings.end());
     for (const std::string &warning : outcome.warnings)
       observer.on_message(warning);
-
-    StepReport report;
-    report.step              = step;
-    report.fraction_done     = stepping ? t : 1.;
-    report.stepped_parameter = load.parameter;
-    report.stepped_value     = value;
-    report.iterations        = outcome.iterations;
-    report.quantities        = model.quantities();
-    observer.on_step(report);
-    result.quantities = report.quantities;
+    report(step, stepping ? t : 1., value, outcome.iterations);
     sink(model, step, value);
     ++result.newton.steps;
     return true;
@@ -208,6 +216,8 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
                      " on the way to " + exact_text(to) + " (" + without_full_stop(failure) +
                      "). There may be no equilibrium nearby beyond it (a fold); a finer mesh or a smaller "
                      "Load/Smallest step may help.";
+  if (result.status == RunStatus::converged && !first.branch.parameter.empty())
+    run_branch(file, first.branch, model, observer, sink, result);
   if (result.status == RunStatus::converged)
     warn_of_folds(model, result);
   if (result.status == RunStatus::failed && result.quantities.empty())

@@ -133,8 +133,10 @@ void SurfaceProblem::set_state(SurfaceState state)
 
 void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors &mesh_reference)
 {
+  // Reactions of another chart balance other forces.
+  if (chart != new_chart || current.rigid_reactions.size() != surface.rigid_motions.size())
+    current.rigid_reactions.assign(surface.rigid_motions.size(), 0.);
   chart = new_chart;
-  current.rigid_reactions.assign(surface.rigid_motions.size(), 0.);
   if (chart != PositionChart::material && !is_reparametrisation_invariant(set))
     throw UserError("Newton/Chart = ale and graph keep the nodes from following tangential forces, but a listed effect "
                     "acts tangentially (it refers to material points). Use Newton/Chart = automatic.");
@@ -263,6 +265,44 @@ double SurfaceProblem::constraint_violation() const
   return largest;
 }
 
+std::vector<double> SurfaceProblem::gradient_of(const PotentialSet &further) const
+{
+  const Timing::Scope scope(timing, "assembly");
+  std::vector<NodalVectors> gradients(field_layout.fields().size(), NodalVectors(3 * surface.n_nodes, 0.));
+  Assembler other(surface, field_layout, further, communicator, Assembler::everything(further, field_layout));
+  other.loop(further, current.fields, {}, Order::gradient,
+             [&](const Cell &cell, const Element &element, const auto &)
+             {
+               for (std::size_t f = 0; f < gradients.size(); ++f)
+                 for (unsigned int c = 0; c < 3; ++c)
+                   for (std::size_t i = 0; i < cell.n_nodes; ++i)
+                     gradients[f][3 * cell.nodes[i] + c] += element.gradient[(3 * f + c) * cell.n_nodes + i];
+             });
+  const Numbering &numbering = system->numbering();
+  std::vector<double> result(numbering.size(), 0.);
+  for (std::size_t f = 0; f < gradients.size(); ++f)
+  {
+    communicator.sum(gradients[f]);
+    system->restrict_vector(f, gradients[f], result);
+    for (std::size_t I = 0; I < numbering.charts[f].nodes.size(); ++I)
+      for (unsigned int a = 0; a < numbering.count(f, I); ++a)
+        if (numbering.charts[f].nodes[I].mesh_equation[a])
+          result[numbering.first_of(f, I) + a] = 0.;
+  }
+  return result;
+}
+
+std::vector<double> SurfaceProblem::area_weights() const
+{
+  const Numbering &numbering = system->numbering();
+  std::vector<double> weights(numbering.size(), 0.);
+  for (std::size_t I = 0; I < surface.n_nodes; ++I)
+    for (unsigned int a = 0; a < numbering.count(0, I); ++a)
+      if (!numbering.charts[0].nodes[I].mesh_equation[a])
+        weights[numbering.first_of(0, I) + a] += node_areas[I];
+  return weights;
+}
+
 void SurfaceProblem::add_drag(const double zeta)
 {
   const Numbering &numbering = system->numbering();
@@ -364,7 +404,7 @@ void SurfaceProblem::accept_trial()
   moved_in_chart += largest;
   current        = trial;
   current_values = trial_values;
-  if (moved_in_chart > chart_reach)
+  if (renews_chart && moved_in_chart > chart_reach)
   {
     system->set_charts(charts_here());
     renew_gauge();
@@ -383,6 +423,13 @@ double SurfaceProblem::displacement(const std::vector<double> &direction) const
       largest = length;
   }
   return largest;
+}
+
+std::vector<double> SurfaceProblem::direction_of(const NodalVectors &displacements) const
+{
+  std::vector<double> direction(system->numbering().size(), 0.);
+  system->restrict_vector(0, displacements, direction); // the columns of a node are orthonormal
+  return direction;
 }
 
 NodalVectors SurfaceProblem::displacements(const std::vector<double> &direction) const

@@ -77,6 +77,28 @@ void VesicleParameters::bind(ParameterSection &section)
   section.integer("Random seed", random_seed, 0, 2147483647, "Seed of the node noise.");
 }
 
+void BranchParameters::bind(ParameterSection &section)
+{
+  section.word(
+      "Parameter", parameter,
+      "Parameter of the scene, as Section/Name, along which the branch of equilibria is followed by arc length, "
+      "through folds, after the first solve. Possible are Vesicle/Reduced volume, targets and coefficients of the "
+      "listed effects: loads, tensions, spontaneous curvature. Empty: no continuation.");
+  section.choice("Direction", direction, {"increasing", "decreasing"}, "Which way the parameter goes at first.");
+  section.choice(
+      "At bifurcation", at_bifurcation, {"report", "switch"},
+      "Where the number of negative eigenvalues changes off a fold, another branch crosses. report: a message, "
+      "and straight on. switch: onto the other branch, along the critical mode (once).");
+  section.number("Amplitude", amplitude, Range::positive(), dimensions::none,
+                 "Length of the first step along the critical mode, measured as First step.");
+  section.number(
+      "Scale", scale, Range::non_negative(), dimensions::none,
+      "Change of the parameter that counts as much as displacements of the size of the surface, in the "
+      "parameter's unit. 0: the distance of the bounds if both are finite, else the parameter's value (one unit "
+      "if that is zero).");
+  steps.bind(section);
+}
+
 void OutputParameters::bind(ParameterSection &section)
 {
   section.flag("Solution", solution,
@@ -99,6 +121,7 @@ std::vector<ParameterSection> SurfaceScene::sections()
     add(section_name(effect->name()), *effect);
   add("Load", load);
   add("Newton", newton);
+  add("Continuation", branch);
   add("Stability", stability);
   add("Output", output);
   return all;
@@ -138,11 +161,13 @@ void SurfaceScene::check() const
                     "stability'.");
   if (load.parameter.empty() && !(load.from.empty() && load.to.empty()))
     throw UserError("Section Load: 'From' or 'To' is set, but 'Parameter' names no parameter.");
-  if (!load.parameter.empty() && load.to.empty())
-    throw UserError("Section Load: 'Parameter' is '" + load.parameter + "', but 'To' gives no value.");
+  if (!load.parameter.empty() && load.to.empty() && load.from.empty())
+    throw UserError("Section Load: 'Parameter' is '" + load.parameter +
+                    "', but neither 'From' nor 'To' gives a value to come from or to go to.");
   if (load.parameter.rfind("Mesh/", 0) == 0 || load.parameter.rfind("Newton/", 0) == 0 ||
       load.parameter.rfind("Output/", 0) == 0 || load.parameter.rfind("Stability/", 0) == 0 ||
-      load.parameter.rfind("Load/", 0) == 0 || load.parameter == "Vesicle/Area")
+      load.parameter.rfind("Continuation/", 0) == 0 || load.parameter.rfind("Load/", 0) == 0 ||
+      load.parameter == "Vesicle/Area")
     throw UserError("Load/Parameter = " + load.parameter +
                     " cannot change during a run: it shapes the mesh, the scale or the run itself.");
   const PotentialSet set = potentials(Scales{}, targets(Scales{}));
@@ -241,9 +266,10 @@ std::vector<SceneEdge> SurfaceScene::edges() const
 SceneTargets SurfaceScene::targets(const Scales &scales) const
 {
   SceneTargets targets;
-  targets.area   = vesicle.area / scales.of(dimensions::area);
-  targets.volume = target_volume() / scales.of(dimensions::volume);
-  targets.edges  = edges();
+  targets.area             = vesicle.area / scales.of(dimensions::area);
+  targets.volume           = target_volume() / scales.of(dimensions::volume);
+  targets.volume_of_sphere = targets.volume / vesicle.reduced_volume;
+  targets.edges            = edges();
   for (const auto &effect : effects)
     effect->prepare(scales, targets);
   return targets;
@@ -255,6 +281,15 @@ PotentialSet SurfaceScene::potentials(const Scales &scales, const SceneTargets &
   for (const auto &effect : effects)
     effect->contribute(scales, targets, set);
   return set;
+}
+
+std::vector<ParameterDerivative> SurfaceScene::derivatives(const Scales &scales, const SceneTargets &targets) const
+{
+  std::vector<ParameterDerivative> list;
+  for (const auto &effect : effects)
+    for (ParameterDerivative &derivative : effect->derivatives(scales, targets))
+      list.push_back(std::move(derivative));
+  return list;
 }
 
 SurfaceScene make_surface_scene(const EffectLibrary &library, const std::vector<std::string> &effects,

@@ -7,6 +7,7 @@
 #include <pellicle/models/surface_sample.h>
 #include <pellicle/models/surface_scene.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -36,6 +37,25 @@ public:
    * of the equilibrium, and downhill where it is unstable and the scene wants that. On failure the state before the
    * call is restored. */
   StepResult solve(int step, Observer &observer);
+
+  /** A state of a branch that was followed. */
+  struct PointOnBranch
+  {
+    BranchPoint point;
+    std::optional<int> negative_eigenvalues;
+  };
+
+  /**
+   * Follows the branch of equilibria through the present one, along a parameter whose value is now `value`, as the
+   * scene's section Continuation says.
+   *
+   * @param scene_at  the scene with another value of the parameter; may throw UserError.
+   * @param on_point  called at every point of the branch, with the model at that state.
+   * Throws UserError if no listed effect knows the derivative with respect to the parameter.
+   */
+  ContinuationResult follow_branch(const BranchParameters &branch, double value,
+                                   const std::function<SurfaceScene(double)> &scene_at, Observer &observer,
+                                   const std::function<void(const PointOnBranch &)> &on_point);
 
   /** Goes to the state at which the last solve gave up, so that it can be looked at. Does nothing if none did. */
   void show_last_iterate();

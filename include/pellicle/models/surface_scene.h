@@ -5,6 +5,7 @@
 #include <pellicle/discretization/start_shapes.h>
 #include <pellicle/models/stability.h>
 #include <pellicle/potentials/potential_library.h>
+#include <pellicle/solvers/continuation.h>
 #include <pellicle/solvers/load_stepping.h>
 #include <pellicle/solvers/newton.h>
 
@@ -46,6 +47,19 @@ struct VesicleParameters
   void bind(ParameterSection &section);
 };
 
+/** Section "Continuation". */
+struct BranchParameters
+{
+  std::string parameter; ///< "Section/Name"; empty: no continuation
+  std::string direction      = "increasing";
+  std::string at_bifurcation = "report";
+  double amplitude           = 0.05;
+  double scale               = 0.; ///< 0: chosen
+  ContinuationParameters steps;
+
+  void bind(ParameterSection &section);
+};
+
 /** Section "Output". */
 struct OutputParameters
 {
@@ -64,6 +78,7 @@ struct SurfaceScene
   LoadParameters load;
   NewtonParameters newton;
   StabilityParameters stability;
+  BranchParameters branch;
   OutputParameters output;
   std::vector<std::unique_ptr<Effect>> effects;
   std::vector<std::string> analyses;
@@ -97,6 +112,8 @@ struct SurfaceScene
   SceneTargets targets(const Scales &scales) const;
   /** Energies and constraints in internal units. */
   PotentialSet potentials(const Scales &scales, const SceneTargets &targets) const;
+  /** Derivatives with respect to all parameters in which the listed effects allow continuation. */
+  std::vector<ParameterDerivative> derivatives(const Scales &scales, const SceneTargets &targets) const;
   PotentialSet potentials(const Scales &scales) const { return potentials(scales, targets(scales)); }
 };
 

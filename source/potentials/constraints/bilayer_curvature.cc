@@ -100,4 +100,18 @@ void AreaDifferenceElasticityEffect::contribute(const Scales &scales, const Scen
   constraint.energy                          = "area_difference_energy";
   set.constraints.push_back(constraint);
 }
+
+std::vector<ParameterDerivative> BilayerCouplingEffect::derivatives(const Scales &scales,
+                                                                    const SceneTargets & /*targets*/) const
+{
+  return {{"Bilayer coupling/Integrated mean curvature", nullptr, "integrated_mean_curvature",
+           1. / scales.of(dimensions::length)}};
+}
+
+std::vector<ParameterDerivative> AreaDifferenceElasticityEffect::derivatives(const Scales &scales,
+                                                                             const SceneTargets & /*targets*/) const
+{
+  return {{"Area difference elasticity/Integrated mean curvature", nullptr, "integrated_mean_curvature",
+           1. / scales.of(dimensions::length)}};
+}
 } // namespace pellicle

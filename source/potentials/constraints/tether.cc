@@ -59,4 +59,13 @@ void TetherEffect::contribute(const Scales &scales, const SceneTargets &targets,
   height.dimension       = dimensions::length;
   set.constraints.push_back(height);
 }
+
+std::vector<ParameterDerivative> TetherEffect::derivatives(const Scales &scales, const SceneTargets & /*targets*/) const
+{
+  return {
+      {"Tether/Length", nullptr, "length", 1. / scales.of(dimensions::length)},
+      {"Tether/Tension",
+       std::make_shared<DensityPotential<SurfaceTension>>(name(), SurfaceTension{1. / scales.of(dimensions::tension)}),
+       "", 0.}};
+}
 } // namespace pellicle

@@ -44,6 +44,7 @@ public:
   std::string description() const override;
   void bind(ParameterSection &section) override { parameters.bind(section); }
   void check() const override;
+  std::vector<ParameterDerivative> derivatives(const Scales &scales, const SceneTargets &targets) const override;
   void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
 
   TetherParameters parameters;
