@@ -4,6 +4,7 @@
 #include <pellicle/models/nodal_curvature.h>
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_model.h>
+#include <pellicle/models/tether_measures.h>
 
 #include <algorithm>
 
@@ -107,12 +108,15 @@ std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
   for (std::size_t k = 0; k < set.constraints.size(); ++k)
     if (set.constraints[k].is_own_quantity)
       report(set.constraints[k].quantity, problem->values().constraints[k], set.constraints[k].dimension);
+  for (const auto &[name, length] : tether_measures(discretization, positions))
+    report(name, length, dimensions::length);
   report("integrated_mean_curvature", integrated_mean_curvature(discretization, positions, curvature.curvature_vector),
          dimensions::length);
   report("gauss_bonnet", shape.gauss_bonnet, dimensions::none);
   report("height", shape.height, dimensions::length);
   report("equatorial_radius", shape.equatorial_radius, dimensions::length);
-  report("axis_thickness", shape.axis_thickness, dimensions::length);
+  if (discretization.is_closed())
+    report("axis_thickness", shape.axis_thickness, dimensions::length);
   report("min_cell_quality", shape.min_cell_quality, dimensions::none);
   report("cell_area_ratio", shape.cell_area_ratio, dimensions::none);
   return list;

@@ -5,28 +5,31 @@
 
 namespace pellicle
 {
-/** g = mean height of the tip's rim: integral of z ds over its length. */
+/** factor times the mean height of the tip's rim, integral of z ds over its length. */
 struct TipHeight
 {
   static constexpr std::array<FieldUse, 1> fields{{{"position", Derivatives::first, FieldRole::independent}}};
   static constexpr bool reparametrisation_invariant = true;
 
   double tip_radius = 1.;
+  double factor     = 1.;
 
   template <typename Number>
   Number density(const PointInputs<Number, 1> &inputs, const PointData & /*data*/) const
   {
     constexpr double two_pi = 6.283185307179586;
-    return inputs[0].value()[2] * norm(inputs[0].d1()) / (two_pi * tip_radius);
+    return factor * inputs[0].value()[2] * norm(inputs[0].d1()) / (two_pi * tip_radius);
   }
 };
 
 struct TetherParameters
 {
-  double length      = 15.;
-  double ring_radius = 20.;
-  double tip_radius  = 0.2;
-  double tension     = 0.5;
+  std::string control = "length";
+  double length       = 15.;
+  double force        = 0.;
+  double ring_radius  = 20.;
+  double tip_radius   = 0.2;
+  double tension      = 0.5;
 
   void bind(ParameterSection &section);
 };
