@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/apps/phase_diagram.h>
 #include <pellicle/apps/surface_application.h>
 #include <pellicle/apps/surface_run.h>
-#include <pellicle/base/expression.h>
 #include <pellicle/output/atomic_file.h>
 #include <pellicle/output/observer_list.h>
 #include <pellicle/output/picture.h>
@@ -210,11 +210,11 @@ int run(const SurfaceApplication &application, const CommandLine &command_line, 
   const std::string used_text = file.used_text();
   if (!scene.load.parameter.empty())
     scene = scene_at_start_of_load(file, scene.load);
-  SurfaceModel model(scene, communicator, timing);
+  auto model = std::make_unique<SurfaceModel>(scene, communicator, timing);
   if (command_line.validate)
   {
     if (first_process)
-      print_validation(scene, model);
+      print_validation(scene, *model);
     return 0;
   }
 
@@ -223,11 +223,18 @@ int run(const SurfaceApplication &application, const CommandLine &command_line, 
                                  : fs::path(command_line.output_directory);
   RunOutput output(first_process, directory, scene, command_line.verbosity, timing);
   output.write_scene(used_text);
-  RunResult result   = solve_scene(file, scene, model, output.observer(),
-                                   [&](const SurfaceModel &solved, const int step, const double time)
-                                   { output.write_solution(solved, step, time); });
+  const auto sink = [&](const SurfaceModel &solved, const int step, const double time)
+  { output.write_solution(solved, step, time); };
+  RunResult result;
+  if (scene.has_analysis("phase diagram"))
+  {
+    model = run_phase_diagram(file, scene, communicator, timing, output.observer(), sink, result);
+    describe(scene, *model, result);
+  }
+  else
+    result = solve_scene(file, scene, *model, output.observer(), sink);
   result.application = application.name;
-  output.finish(model, result);
+  output.finish(*model, result);
   if (first_process)
   {
     if (command_line.verbosity != Verbosity::quiet)

@@ -5,6 +5,7 @@
 #include <pellicle/base/expression.h>
 #include <pellicle/base/scene_file.h>
 #include <pellicle/discretization/surface_quality.h>
+#include <pellicle/models/jump_detector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -95,6 +96,11 @@ void SurfaceSceneFile::set(const std::string &path, const double value, const st
   scene.set(path, exact_text(value), origin);
 }
 
+void SurfaceSceneFile::set_text(const std::string &path, const std::string &value, const std::string &origin)
+{
+  scene.set(path, value, origin);
+}
+
 double SurfaceSceneFile::number(const std::string &path) const
 {
   return evaluate_number(scene.value(path));
@@ -141,6 +147,27 @@ std::string commented_scene_of(const SurfaceApplication &application)
   return commented_scene(description);
 }
 
+void describe(const SurfaceScene &scene, const SurfaceModel &model, RunResult &result)
+{
+  for (const auto &effect : scene.effects)
+    result.effects.push_back(effect->name());
+  result.analyses = scene.analyses;
+  result.n_cells  = model.n_cells();
+  result.degree   = model.mesh().degree;
+  for (const auto &[name, n] : model.unknown_counts())
+  {
+    result.unknowns.blocks.emplace_back(name, n);
+    result.unknowns.total += n;
+  }
+  if (const std::optional<Stability> &stability = model.stability())
+  {
+    result.stability                       = StabilityCounts{};
+    result.stability->negative_eigenvalues = stability->negative_eigenvalues;
+    for (const double eigenvalue : stability->lowest)
+      result.stability->lowest.push_back(eigenvalue * model.scales().of({1, -4}));
+  }
+}
+
 RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer,
                       const SolutionSink &sink)
 {
@@ -165,10 +192,36 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
     observer.on_step(done);
     result.quantities = model.quantities();
   };
+  JumpDetector jumps(load.parameter);
+  int suspected_jumps = 0;
+  // A jump is believed after a few attempts with shorter steps, and reported.
+  constexpr int attempts_before_a_jump_counts = 4;
+  const auto left_the_branch = [&](const SurfaceScene &scene, const double value, const SurfaceState &before)
+  {
+    if (!jumps.has_jumped(model, scene, value))
+      suspected_jumps = 0;
+    else if (++suspected_jumps < attempts_before_a_jump_counts)
+    {
+      model.go_to(before);
+      return true;
+    }
+    else
+    {
+      suspected_jumps = 0;
+      result.warnings.push_back(
+          "Just before " + load.parameter + " = " + exact_text(value) +
+          " the branch of equilibria ends (a fold): the state has jumped to another branch. Section "
+          "Continuation passes folds without a jump.");
+      observer.on_message(result.warnings.back());
+    }
+    jumps.accept(model, scene, value);
+    return false;
+  };
   const auto attempt = [&](const double t)
   {
-    const int step     = result.newton.steps;
-    const double value = stepping ? from + t * (to - from) : step;
+    const int step            = result.newton.steps;
+    const double value        = stepping ? from + t * (to - from) : step;
+    const SurfaceState before = model.equilibrium().state();
     if (stepping && t > 0.)
     {
       file.set(load.parameter, value, "Load step " + std::to_string(step));
@@ -181,6 +234,11 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
     if (!outcome.converged)
     {
       failure = outcome.failure;
+      return false;
+    }
+    if (stepping && left_the_branch(file.read(), value, before))
+    {
+      failure = "the state found is on another branch";
       return false;
     }
     result.warnings.insert(result.warnings.end(), outcome.warnings.begin(), outcome.warnings.end());
@@ -227,24 +285,7 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
     result.quantities = model.quantities();
     sink(model, 0, stepping ? from : 0.);
   }
-  result.effects.clear();
-  for (const auto &effect : first.effects)
-    result.effects.push_back(effect->name());
-  result.analyses = first.analyses;
-  result.n_cells  = model.n_cells();
-  result.degree   = model.mesh().degree;
-  for (const auto &[name, n] : model.unknown_counts())
-  {
-    result.unknowns.blocks.emplace_back(name, n);
-    result.unknowns.total += n;
-  }
-  if (const std::optional<Stability> &stability = model.stability())
-  {
-    result.stability                       = StabilityCounts{};
-    result.stability->negative_eigenvalues = stability->negative_eigenvalues;
-    for (const double eigenvalue : stability->lowest)
-      result.stability->lowest.push_back(eigenvalue * model.scales().of({1, -4}));
-  }
+  describe(first, model, result);
   return result;
 }
 } // namespace pellicle

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pellicle
 {
@@ -290,6 +291,13 @@ std::vector<double> SurfaceProblem::gradient_of(const PotentialSet &further) con
           result[numbering.first_of(f, I) + a] = 0.;
   }
   return result;
+}
+
+double SurfaceProblem::value_of(const PotentialSet &further) const
+{
+  Assembler other(surface, field_layout, further, communicator, Assembler::everything(further, field_layout));
+  const std::vector<double> values = other.loop(further, current.fields, {}, Order::value).energies;
+  return std::accumulate(values.begin(), values.end(), 0.);
 }
 
 std::vector<double> SurfaceProblem::area_weights() const

@@ -7,6 +7,7 @@
 #include <pellicle/models/tether_measures.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pellicle
 {
@@ -59,6 +60,40 @@ std::vector<NamedQuantity> SurfaceModel::energies() const
       add_to(list, {constraint.energy, 0.5 * constraint.stiffness * difference * difference, dimensions::energy});
     }
   return list;
+}
+
+double SurfaceModel::potential_energy() const
+{
+  const PotentialSet &set  = problem->potentials();
+  const TermValues &values = problem->values();
+  double sum               = problem->energy();
+  for (std::size_t k = 0; k < set.constraints.size(); ++k)
+    if (const Constraint &constraint = set.constraints[k]; std::isfinite(constraint.stiffness))
+      sum += 0.5 * constraint.stiffness * std::pow(values.constraints[k] - constraint.target, 2);
+  return sum;
+}
+
+// Of L = E + sum lambda (g - g0) only what depends on the parameter explicitly counts, for L is stationary otherwise.
+std::optional<double> SurfaceModel::energy_slope(const SurfaceScene &scene, const std::string &parameter) const
+{
+  std::optional<double> slope;
+  const std::vector<Constraint> &constraints = problem->potentials().constraints;
+  for (const ParameterDerivative &derivative : scene.derivatives(unit, targets))
+  {
+    if (derivative.parameter != parameter)
+      continue;
+    slope = slope.value_or(0.);
+    if (derivative.energy)
+    {
+      PotentialSet alone;
+      alone.energies.push_back(derivative.energy);
+      *slope += problem->value_of(alone);
+    }
+    for (std::size_t k = 0; k < constraints.size(); ++k)
+      if (constraints[k].quantity == derivative.quantity)
+        *slope -= problem->state().multipliers[k] * derivative.target;
+  }
+  return slope;
 }
 
 // Tension and pressure: prescribed, or multiplier of a constraint, or (with a finite stiffness) the sum of both.

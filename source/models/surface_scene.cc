@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/near_match.h>
 #include <pellicle/models/surface_scene.h>
 #include <pellicle/potentials/constraints/lipid_domain.h>
 #include <pellicle/potentials/constraints/tether.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace pellicle
 {
@@ -99,6 +101,40 @@ void BranchParameters::bind(ParameterSection &section)
   steps.bind(section);
 }
 
+void PhaseDiagramParameters::bind(ParameterSection &section)
+{
+  section.numbers("Reduced volumes", reduced_volumes, {0., 1., true, true, false}, dimensions::none,
+                  "Reduced volumes at which the analysis `phase diagram` computes every branch that exists there.");
+  section.word("Branches", branches,
+               "Branches of the analysis `phase diagram`, named by the start shapes they begin with: prolate, oblate, "
+               "stomatocyte.");
+  section.integer("Fold points", fold_points, 0, 10000,
+                  "Points along the arc by which a branch is followed where it ends before the last reduced volume: "
+                  "through the fold and some way back.");
+}
+
+std::vector<std::string> PhaseDiagramParameters::branch_names() const
+{
+  std::vector<std::string> names;
+  std::istringstream list(branches);
+  for (std::string name; std::getline(list, name, ',');)
+  {
+    const auto first = name.find_first_not_of(" \t"), last = name.find_last_not_of(" \t");
+    names.push_back(first == std::string::npos ? "" : name.substr(first, last - first + 1));
+  }
+  return names;
+}
+
+void PhaseDiagramParameters::check() const
+{
+  const std::vector<std::string> known{"prolate", "oblate", "stomatocyte"};
+  for (const std::string &name : branch_names())
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw UserError("Phase diagram/Branches: '" + name + "' is no branch." + suggestion(name, known));
+  if (reduced_volumes.empty())
+    throw UserError("Phase diagram/Reduced volumes is empty: give at least one number between 0 and 1.");
+}
+
 void OutputParameters::bind(ParameterSection &section)
 {
   section.flag("Solution", solution,
@@ -122,6 +158,7 @@ std::vector<ParameterSection> SurfaceScene::sections()
   add("Load", load);
   add("Newton", newton);
   add("Continuation", branch);
+  add("Phase diagram", phase_diagram);
   add("Stability", stability);
   add("Output", output);
   return all;
@@ -141,6 +178,8 @@ void SurfaceScene::check() const
 {
   for (const auto &effect : effects)
     effect->check();
+  if (has_analysis("phase diagram"))
+    phase_diagram.check();
   if (vesicle.semi_axes.size() != 3)
     throw UserError("Section Vesicle: 'Semi axes' has " + std::to_string(vesicle.semi_axes.size()) +
                     " numbers, three are needed, for example 1, 1, 1.2.");
@@ -304,7 +343,7 @@ SurfaceScene make_surface_scene(const EffectLibrary &library, const std::vector<
 
 const std::vector<std::string> &analysis_names()
 {
-  static const std::vector<std::string> names{"stability"};
+  static const std::vector<std::string> names{"stability", "phase diagram"};
   return names;
 }
 } // namespace pellicle

@@ -57,6 +57,15 @@ public:
                                    const std::function<SurfaceScene(double)> &scene_at, Observer &observer,
                                    const std::function<void(const PointOnBranch &)> &on_point);
 
+  /** The potential that is stationary at an equilibrium: energies and penalties; and its derivative with respect to a
+   * parameter of the scene, at the equilibrium (none if no listed effect knows it). Internal units, parameters in the
+   * user's. */
+  double potential_energy() const;
+  std::optional<double> energy_slope(const SurfaceScene &scene, const std::string &parameter) const;
+
+  /** Goes to an equilibrium that was found before, with the same parameters. */
+  void go_to(const SurfaceState &state) { problem->set_state(state); }
+
   /** Goes to the state at which the last solve gave up, so that it can be looked at. Does nothing if none did. */
   void show_last_iterate();
 

@@ -80,6 +80,8 @@ public:
   /** Gradient of further energies (of fields that the layout has) with respect to the unknowns of the present chart;
    * zero in mesh equations. As long as a direction. */
   std::vector<double> gradient_of(const PotentialSet &further) const;
+  /** Sum of further energies at the present state. */
+  double value_of(const PotentialSet &further) const;
   /** Area of the node for each unknown that moves it against a physical force, zero for all others. */
   std::vector<double> area_weights() const;
   std::vector<const AssemblyCounters *> counters() const;

@@ -60,6 +60,21 @@ struct BranchParameters
   void bind(ParameterSection &section);
 };
 
+/** Section "Phase diagram", for the analysis of that name. */
+struct PhaseDiagramParameters
+{
+  std::vector<double> reduced_volumes{0.52, 0.54, 0.56, 0.58, 0.6,  0.62, 0.64, 0.66,
+                                      0.68, 0.7,  0.75, 0.8,  0.85, 0.9,  0.95};
+  std::string branches = "prolate, oblate, stomatocyte";
+  int fold_points      = 20;
+
+  void bind(ParameterSection &section);
+  /** Throws UserError. */
+  void check() const;
+  /** The start shapes in `branches`. */
+  std::vector<std::string> branch_names() const;
+};
+
 /** Section "Output". */
 struct OutputParameters
 {
@@ -79,6 +94,7 @@ struct SurfaceScene
   NewtonParameters newton;
   StabilityParameters stability;
   BranchParameters branch;
+  PhaseDiagramParameters phase_diagram;
   OutputParameters output;
   std::vector<std::unique_ptr<Effect>> effects;
   std::vector<std::string> analyses;
