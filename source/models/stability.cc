@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/position_mass.h>
+#include <pellicle/base/exceptions.h>
 #include <pellicle/models/stability.h>
 #include <pellicle/solvers/eigenvalues.h>
 

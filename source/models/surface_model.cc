@@ -226,9 +226,11 @@ void SurfaceModel::look_at_stability(EquilibriumSearch &search)
     last_stability                 = analyse_stability(
                         *problem, *solver, static_cast<unsigned int>(std::max(stability_parameters.eigenvalues, follow ? 1 : 0)));
     problem->set_state(equilibrium);
+    if (last_stability && !last_stability->failure.empty())
+      search.warn("The lowest eigenvalues were not found: " + last_stability->failure);
     if (!last_stability || last_stability->negative_eigenvalues == 0)
       return;
-    if (!follow || descents == most_descents)
+    if (!follow || last_stability->modes.empty() || descents == most_descents)
     {
       search.warn("The equilibrium is unstable: " + std::to_string(last_stability->negative_eigenvalues) +
                   " negative eigenvalues of the second variation." +
