@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/exceptions.h>
 #include <pellicle/solvers/newton.h>
 
 #include <algorithm>
@@ -122,6 +123,7 @@ bool Newton::advance(EquilibriumProblem &problem, NewtonResult &result, Iteratio
       problem.add_drag(drag - drag_in_matrix);
       drag_in_matrix = drag;
     }
+    try
     {
       const Timing::Scope scope(timing, "linear solve");
       solver.factorize(problem.matrix());
@@ -129,6 +131,12 @@ bool Newton::advance(EquilibriumProblem &problem, NewtonResult &result, Iteratio
       for (double &d : direction)
         d = -d;
       solver.solve(direction);
+    }
+    catch (const SolveError &error)
+    {
+      // Mostly where an iteration has gone astray: another chart or a shorter load step may still do better.
+      result.failure = error.what();
+      return false;
     }
     const std::optional<Inertia> inertia = solver.inertia();
     if (drag_in_matrix == 0.)
