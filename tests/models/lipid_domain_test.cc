@@ -23,22 +23,23 @@ constexpr Vesicle known[] = {
 SurfaceScene scene_of(const Vesicle &v, int degree, int refinements, const std::string &symmetry)
 {
   SurfaceScene scene = scene_with({"helfrich bending", "lipid domain", "area constraint", "volume constraint"});
-  scene.vesicle.reduced_volume                  = .9;
-  scene.mesh.degree                             = degree;
-  scene.mesh.refinements                        = refinements;
-  scene.mesh.symmetry                           = symmetry;
+  scene.vesicle.reduced_volume                = .9;
+  scene.mesh.degree                           = degree;
+  scene.mesh.refinements                      = refinements;
+  scene.mesh.symmetry                         = symmetry;
   effect<LipidDomainEffect>(scene).parameters = {.15, 1., v.C0};
   return scene;
 }
 void report(const Solved &s, const Vesicle &exact, int d, int r)
 {
   const auto &m = s.model.mesh();
-  printf("C0 %g d %d r %d (%zu cells): %s %d it %g s E %.2e dsigma %.2e sigma %.2e P %.2e area %.2e rb %.2e h %.2e neg %d\n",
-         exact.C0, d, r, m.n_cells, s.result.failure.c_str(), s.result.iterations, s.seconds, s.energy() / exact.energy - 1,
-         s.quantity("domain_tension") - exact.sd + exact.so, s.quantity("tension") - exact.so,
-         s.quantity("pressure") - exact.pressure, s.quantity("domain_area") / (4 * pi * .15) - 1,
-         loop_length(m.edges[0], s.positions()) / (2 * pi) - exact.rb, s.shape().height - exact.height,
-         s.result.converged ? s.negative_eigenvalues() : -1);
+  printf("C0 %g d %d r %d (%zu cells): %s %d it %g s E %.2e dsigma %.2e sigma %.2e P %.2e area %.2e rb %.2e h %.2e neg "
+         "%d\n",
+         exact.C0, d, r, m.n_cells, s.result.failure.c_str(), s.result.iterations, s.seconds,
+         s.energy() / exact.energy - 1, s.quantity("domain_tension") - exact.sd + exact.so,
+         s.quantity("tension") - exact.so, s.quantity("pressure") - exact.pressure,
+         s.quantity("domain_area") / (4 * pi * .15) - 1, loop_length(m.edges[0], s.positions()) / (2 * pi) - exact.rb,
+         s.shape().height - exact.height, s.result.converged ? s.negative_eigenvalues() : -1);
 }
 TEST(LipidDomain, Axial)
 {
