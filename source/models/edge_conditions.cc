@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pellicle
 {
@@ -35,14 +36,23 @@ AdmissibleDirections along_z()
   return directions;
 }
 
+/** One node moves as another one. */
+void follow(FieldConditions &conditions, const SurfaceDiscretization &discretization, const std::size_t follower,
+            const std::size_t leader)
+{
+  if (conditions.leader.empty())
+  {
+    conditions.leader.resize(discretization.n_nodes);
+    std::iota(conditions.leader.begin(), conditions.leader.end(), 0);
+  }
+  conditions.leader[follower] = leader;
+}
+
 /** All nodes of a loop move as its first one. */
 void tie(FieldConditions &conditions, const SurfaceDiscretization &discretization, const EdgeLoop &loop)
 {
-  conditions.leader.resize(discretization.n_nodes);
-  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
-    conditions.leader[I] = I;
   for (const std::size_t node : loop.cell_nodes)
-    conditions.leader[node] = loop.cell_nodes.front();
+    follow(conditions, discretization, node, loop.cell_nodes.front());
 }
 
 /** Elevation of a rim's conormal above the horizontal plane. */
@@ -61,12 +71,22 @@ double elevation(const EdgeLoop &loop, const StartShape &shape)
 NodalConditions edge_conditions(const SurfaceDiscretization &discretization, const SceneTargets &targets)
 {
   NodalConditions conditions;
+  const auto has_conormals = [&](const EdgeLoop &loop)
+  {
+    FieldConditions &conormals = conditions["edge conormal"];
+    if (conormals.only.empty())
+      conormals.only.assign(discretization.n_nodes, held());
+    set_all(conormals, discretization, loop, std::nullopt);
+  };
   for (const SceneEdge &edge : targets.edges)
   {
-    if (edge.support == EdgeSupport::inner)
+    const EdgeLoop &loop = loop_named(discretization, edge.name);
+    if (edge.support == EdgeSupport::inner || edge.support == EdgeSupport::far_side)
+    {
+      if (targets.gaussian_difference != 0.)
+        has_conormals(loop);
       continue;
-    const EdgeLoop &loop    = loop_named(discretization, edge.name);
-    const bool has_conormal = edge.support != EdgeSupport::clamped && targets.gaussian_modulus != 0.;
+    }
     if (edge.name == "tip")
     {
       set_all(conditions["position"], discretization, loop, along_z());
@@ -74,16 +94,17 @@ NodalConditions edge_conditions(const SurfaceDiscretization &discretization, con
     }
     else if (edge.support != EdgeSupport::free)
       set_all(conditions["position"], discretization, loop, held());
-    if (edge.support != EdgeSupport::clamped && !has_conormal)
+    if (edge.support == EdgeSupport::clamped)
+      continue;
+    if (targets.gaussian_modulus != 0.)
+      has_conormals(loop);
+    else
       set_all(conditions["moment"], discretization, loop, held());
-    if (has_conormal)
-    {
-      FieldConditions &conormals = conditions["edge conormal"];
-      if (conormals.only.empty())
-        conormals.only.assign(discretization.n_nodes, held());
-      set_all(conormals, discretization, loop, std::nullopt);
-    }
   }
+  // Both sides of a split line are at the same place and have the same conormal; their moments are their own.
+  for (const auto &[copy, original] : discretization.twins)
+    for (const char *field : {"position", "edge conormal"})
+      follow(conditions[field], discretization, copy, original);
   return conditions;
 }
 

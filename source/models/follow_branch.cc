@@ -59,7 +59,7 @@ ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, c
                               : newton.chart == "graph"                              ? PositionChart::graph
                                                                                      : PositionChart::ale;
   const NodalVectors mesh_reference =
-      discretization.mesh_reference.empty() ? problem->state().fields[0] : discretization.mesh_reference;
+      solved_mesh().mesh_reference.empty() ? problem->state().fields[0] : solved_mesh().mesh_reference;
   SurfaceBranch along(*problem, std::move(parameter), chart, mesh_reference);
   Continuation continuation(branch.steps, newton, *solver, timing);
 

@@ -115,7 +115,7 @@ std::vector<NamedQuantity> SurfaceModel::forces() const
 
 std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
 {
-  const NodalVectors &positions  = problem->state().fields[0];
+  const NodalVectors positions   = on_mesh(problem->state().fields[0]);
   const ShapeMeasures shape      = measure_shape(discretization, positions);
   const NodalCurvature curvature = nodal_curvature(discretization, positions);
 
@@ -173,21 +173,21 @@ SurfaceSample SurfaceModel::sample() const
     return values;
   };
   const SurfaceState &state      = problem->state();
-  const NodalCurvature curvature = nodal_curvature(discretization, state.fields[0]);
+  const NodalCurvature curvature = nodal_curvature(discretization, on_mesh(state.fields[0]));
 
   std::vector<SampledNodalField> fields;
   fields.push_back(
       {"mean_curvature_outward", 1, scaled_values(curvature.mean_outward, unit.of(dimensions::curvature))});
   fields.push_back({"gauss_curvature", 1, scaled_values(curvature.gauss, unit.of(dimensions::gauss_curvature))});
   for (std::size_t f = 1; f < state.fields.size(); ++f)
-    fields.push_back(
-        {problem->layout().fields()[f].name, 3, scaled_values(state.fields[f], unit.of(dimensions::line_tension))});
+    fields.push_back({problem->layout().fields()[f].name, 3,
+                      scaled_values(on_mesh(state.fields[f]), unit.of(dimensions::line_tension))});
 
   if (last_stability)
     for (std::size_t k = 0; k < last_stability->modes.size(); ++k)
-      fields.push_back({"mode_" + std::to_string(k + 1), 3, last_stability->modes[k]});
+      fields.push_back({"mode_" + std::to_string(k + 1), 3, on_mesh(last_stability->modes[k])});
 
-  NodalVectors positions = scaled_values(state.fields[0], unit.length);
+  NodalVectors positions = scaled_values(on_mesh(state.fields[0]), unit.length);
   for (std::size_t i = 0; i < positions.size(); ++i)
     positions[i] += centroid[i % 3];
   return make_sample(discretization, positions, fields);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/near_match.h>
+#include <pellicle/discretization/split_line.h>
 #include <pellicle/models/surface_scene.h>
 #include <pellicle/potentials/constraints/lipid_domain.h>
 #include <pellicle/potentials/constraints/tether.h>
+#include <pellicle/potentials/edges/gaussian_curvature.h>
 #include <pellicle/potentials/energies/helfrich_bending.h>
 
 #include <algorithm>
@@ -286,6 +288,12 @@ std::optional<StartShape> SurfaceScene::reference_shape() const
   return shape;
 }
 
+bool SurfaceScene::splits_domain() const
+{
+  const auto *gaussian = find<GaussianCurvatureEffect>();
+  return has_effect("lipid domain") && gaussian != nullptr && gaussian->parameters.domain_difference != 0.;
+}
+
 std::vector<SceneEdge> SurfaceScene::edges() const
 {
   const EdgeSupport rim = vesicle.rim == "free"     ? EdgeSupport::free
@@ -294,7 +302,12 @@ std::vector<SceneEdge> SurfaceScene::edges() const
   if (has_effect("tether"))
     return {{"tip", EdgeSupport::clamped}, {"ring", EdgeSupport::clamped}};
   if (has_effect("lipid domain"))
-    return {{"domain boundary", EdgeSupport::inner}};
+  {
+    std::vector<SceneEdge> line{{domain_boundary, EdgeSupport::inner}};
+    if (splits_domain())
+      line.push_back({far_side(domain_boundary), EdgeSupport::far_side});
+    return line;
+  }
   if (vesicle.start_shape == "cap" || vesicle.start_shape == "disc")
     return {{"rim", rim}};
   if (vesicle.start_shape == "tube")

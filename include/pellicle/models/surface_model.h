@@ -90,6 +90,14 @@ public:
   const Scales &scales() const { return unit; }
 
 private:
+  /** What the equations live on: its first nodes are those of mesh(). */
+  const SurfaceDiscretization &solved_mesh() const { return split ? *split : discretization; }
+  /** Values at the nodes of mesh(). */
+  NodalVectors on_mesh(NodalVectors values) const
+  {
+    values.resize(3 * discretization.n_nodes);
+    return values;
+  }
   void add_node_noise(const VesicleParameters &vesicle);
   void check_constraints_are_independent();
   void take_from_mesh(const SurfaceScene &scene);
@@ -102,6 +110,7 @@ private:
   Timing &timing;
   std::array<double, 3> centroid{};
   SurfaceDiscretization discretization;
+  std::optional<SurfaceDiscretization> split; ///< along the line around a domain, where the moment jumps there
   std::unique_ptr<SurfaceProblem> problem;
   std::unique_ptr<LinearSolver> solver;
   SurfaceState last_iterate;                                     ///< of the last solve that failed

@@ -16,6 +16,9 @@
 
 namespace pellicle
 {
+/** Name of the line around the region of the effect "lipid domain". */
+constexpr const char *domain_boundary = "domain boundary";
+
 /** Section "Mesh". */
 struct MeshParameters
 {
@@ -122,6 +125,8 @@ struct SurfaceScene
   StartShape start_shape() const;
   /** The reference shape of elastic skins, on the same mesh; none if it is the start shape. */
   std::optional<StartShape> reference_shape() const;
+  /** Whether the moment jumps across the line around a domain, so that the mesh must be split there. */
+  bool splits_domain() const;
   /** Edge loops of the surface and what holds them. */
   std::vector<SceneEdge> edges() const;
   /** What effects take from the scene and from each other; what only a mesh knows is left out. */

@@ -73,7 +73,8 @@ enum class EdgeSupport
   free,    ///< nothing
   hinged,  ///< its place is held
   clamped, ///< its place and the tangent plane there are held
-  inner    ///< no rim: the surface goes on
+  inner,   ///< no rim: the surface goes on
+  far_side ///< an inner line again, seen from the other side, where the surface is split along it
 };
 
 /** An edge loop of the scene's surface. */
@@ -96,6 +97,7 @@ struct SceneTargets
   /** Whether the scene lists the bending energy. */
   bool has_bending() const { return !bending.empty() && bending[0].rigidity > 0.; }
   double gaussian_modulus      = 0.; ///< kappa_G; 0 without the effect
+  double gaussian_difference   = 0.; ///< kappa_G of the domain minus that of the membrane
   std::vector<SceneEdge> edges = {};
   int euler_characteristic     = 2;
   /** Metric of the reference shape at every quadrature point, for elastic skins; null while a scene is only checked. */

@@ -139,8 +139,11 @@ void HelfrichBendingEffect::contribute(const Scales & /*scales*/, const SceneTar
     if (edge.support == EdgeSupport::clamped)
       set.energies.push_back(
           std::make_shared<DensityPotential<ClampedEdge>>(name(), ClampedEdge{edge.conormals}, where));
-    else if (edge.support != EdgeSupport::inner && targets.gaussian_modulus != 0.)
-      set.energies.push_back(std::make_shared<DensityPotential<HingedEdge>>(name(), HingedEdge{}, where));
+    else if (edge.support == EdgeSupport::inner || edge.support == EdgeSupport::far_side
+                 ? targets.gaussian_difference != 0.
+                 : targets.gaussian_modulus != 0.)
+      set.energies.push_back(std::make_shared<DensityPotential<HingedEdge>>(
+          name(), HingedEdge{edge.support == EdgeSupport::far_side ? 1. : -1.}, where));
   }
 }
 
