@@ -77,6 +77,7 @@ ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, c
     problem->set_state(state);
 
     PointOnBranch here{point, std::nullopt};
+    at_bifurcation = false;
     if (last_stability && !point.is_fold)
     {
       here.negative_eigenvalues = last_stability->negative_eigenvalues;
@@ -103,6 +104,12 @@ ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, c
   const std::optional<Stability> modes = analyse_stability(*problem, *solver, 4);
   problem->set_state(state);
   along.use_own_chart();
+  if (!modes || modes->modes.empty())
+  {
+    result.end     = ContinuationEnd::failed;
+    result.failure = "the critical mode of the bifurcation was not found" + (modes ? ": " + modes->failure : "");
+    return result;
+  }
   const StartDirection sideways = StartDirection::along(problem->direction_of(critical_mode(*modes)), branch.amplitude);
   count_before.reset();
   const auto visit_only = [&](const BranchPoint &point)

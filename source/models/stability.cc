@@ -38,8 +38,16 @@ std::optional<Stability> analyse_stability(SurfaceProblem &problem, LinearSolver
 
   constexpr double scale  = 1.; // of eigenvalues, internal units
   const SparseMatrix mass = position_mass(problem.discretization(), problem.state().fields[0], problem.numbering());
-  const Eigenpairs pairs =
-      lowest_eigenpairs(problem.matrix(), mass, solver, problem.expected_negative_pivots(), n_eigenvalues, scale);
+  Eigenpairs pairs;
+  try
+  {
+    pairs = lowest_eigenpairs(problem.matrix(), mass, solver, problem.expected_negative_pivots(), n_eigenvalues, scale);
+  }
+  catch (const SolveError &error)
+  {
+    result.failure = error.what(); // the count stands, and so does the equilibrium
+    return result;
+  }
   result.lowest = pairs.values;
   for (const std::vector<double> &vector : pairs.vectors)
   {

@@ -17,24 +17,36 @@ constexpr double rigid_rho =
 constexpr double chart_reach   = 0.1; // displacement, relative to the length, after which normals and gauge are renewed
 constexpr double merit_penalty = 10.; // of squared constraint violations in the merit, internal units
 
-// w_I (t + r x x_I) for each rigid motion.
+// Integral of N_I (t + r x x) for each rigid motion: displacements that the gauge allows are orthogonal to it in L2,
+// and so are the modes of a stability analysis. (Positive weights of nodes would do for a gauge, but a mode of high
+// order would take up a rigid motion of order h^2.)
 std::vector<NodalVectors> weighted_rigid_motions(const SurfaceDiscretization &discretization,
-                                                 const NodalVectors &positions, const std::vector<double> &areas)
+                                                 const NodalVectors &positions)
 {
-  std::vector<NodalVectors> directions;
-  for (const RigidMotion &motion : discretization.rigid_motions)
+  const ShapeTables &tables = discretization.tables;
+  std::vector<NodalVectors> directions(discretization.rigid_motions.size(),
+                                       NodalVectors(3 * discretization.n_nodes, 0.));
+  std::vector<double> inputs(std::size_t(tables.n_points) * 18);
+  for (std::size_t cell = 0; cell < discretization.n_cells && !directions.empty(); ++cell)
   {
-    NodalVectors direction(3 * discretization.n_nodes);
-    const Vector3<double> t(motion.translation[0], motion.translation[1], motion.translation[2]);
-    const Vector3<double> r(motion.rotation[0], motion.rotation[1], motion.rotation[2]);
-    for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+    const std::size_t *nodes = discretization.cell_nodes.data() + cell * tables.n_nodes;
+    evaluate_field(tables, nodes, positions, 3, inputs.data());
+    for (unsigned int q = 0; q < tables.n_points; ++q)
     {
-      const Vector3<double> v =
-          t + cross(r, Vector3<double>(positions[3 * I], positions[3 * I + 1], positions[3 * I + 2]));
-      for (unsigned int c = 0; c < 3; ++c)
-        direction[3 * I + c] = areas[I] * v[c];
+      const double *x = inputs.data() + 18 * q;
+      const double dA =
+          tables.weights[q] * norm(cross(Vector3<double>(x[3], x[4], x[5]), Vector3<double>(x[6], x[7], x[8])));
+      for (std::size_t k = 0; k < directions.size(); ++k)
+      {
+        const RigidMotion &motion = discretization.rigid_motions[k];
+        const Vector3<double> t(motion.translation[0], motion.translation[1], motion.translation[2]);
+        const Vector3<double> r(motion.rotation[0], motion.rotation[1], motion.rotation[2]);
+        const Vector3<double> v = t + cross(r, Vector3<double>(x[0], x[1], x[2]));
+        for (unsigned int I = 0; I < tables.n_nodes; ++I)
+          for (unsigned int c = 0; c < 3; ++c)
+            directions[k][3 * nodes[I] + c] += tables.tables[0][std::size_t(q) * tables.n_nodes + I] * dA * v[c];
+      }
     }
-    directions.push_back(std::move(direction));
   }
   return directions;
 }
@@ -179,7 +191,7 @@ std::vector<NodalChart> SurfaceProblem::charts_here() const
 void SurfaceProblem::renew_gauge()
 {
   node_areas       = nodal_areas(surface, current.fields[0]);
-  rigid_directions = weighted_rigid_motions(surface, current.fields[0], node_areas);
+  rigid_directions = weighted_rigid_motions(surface, current.fields[0]);
   moved_in_chart   = 0.;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/exceptions.h>
 #include <pellicle/solvers/newton.h>
 
 #include <algorithm>
@@ -122,6 +123,7 @@ bool Newton::advance(EquilibriumProblem &problem, NewtonResult &result, Iteratio
       problem.add_drag(drag - drag_in_matrix);
       drag_in_matrix = drag;
     }
+    try
     {
       const Timing::Scope scope(timing, "linear solve");
       solver.factorize(problem.matrix());
@@ -129,6 +131,12 @@ bool Newton::advance(EquilibriumProblem &problem, NewtonResult &result, Iteratio
       for (double &d : direction)
         d = -d;
       solver.solve(direction);
+    }
+    catch (const SolveError &error)
+    {
+      // Mostly where an iteration has gone astray: another chart or a shorter load step may still do better.
+      result.failure = error.what();
+      return false;
     }
     const std::optional<Inertia> inertia = solver.inertia();
     if (drag_in_matrix == 0.)
@@ -148,10 +156,7 @@ bool Newton::advance(EquilibriumProblem &problem, NewtonResult &result, Iteratio
       const double trial  = problem.try_step(direction, length);
       if (std::isfinite(trial) && trial <= merit + tolerated_increase * scale)
       {
-        problem.accept_trial();
-        report.step_length = length * displacement;
-        if (length == 1.)
-          drag = drag_decrease * drag < smallest_drag ? 0. : drag_decrease * drag;
+        accept_trial(problem, length, displacement, report);
         return true;
       }
       if (!increase_drag(result))
@@ -173,16 +178,22 @@ bool Newton::advance(EquilibriumProblem &problem, NewtonResult &result, Iteratio
         const double trial = problem.try_step(direction, length);
         if (!std::isfinite(trial) || (significant && trial > merit + sufficient_decrease * length * slope))
           continue;
-        problem.accept_trial();
-        report.step_length = length * displacement;
-        if (length == 1.)
-          drag = drag_decrease * drag < smallest_drag ? 0. : drag_decrease * drag;
+        accept_trial(problem, length, displacement, report);
         return true;
       }
     }
     if (!increase_drag(result))
       return false;
   }
+}
+
+void Newton::accept_trial(EquilibriumProblem &problem, const double length, const double displacement,
+                          IterationReport &report)
+{
+  problem.accept_trial();
+  report.step_length = length * displacement;
+  if (length == 1.)
+    drag = drag_decrease * drag < smallest_drag ? 0. : drag_decrease * drag;
 }
 
 bool Newton::increase_drag(NewtonResult &result)

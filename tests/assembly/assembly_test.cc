@@ -3,6 +3,7 @@
 #include "sample_problem.h"
 
 #include <pellicle/assembly/bordered_system.h>
+#include <pellicle/base/observer.h>
 #include <pellicle/models/surface_model.h>
 #include <pellicle/potentials/energies/mesh_distortion.h>
 
@@ -121,7 +122,8 @@ TEST(Assembler, NoUnknownsOfWhatIsNotListed)
     scene.mesh.refinements = 0;
     scene.newton.chart     = "graph";
     SurfaceModel model(scene, communicator, timing);
-    model.negative_eigenvalues();
+    Observer nobody;
+    model.solve(0, nobody);
     std::string result;
     for (const auto &[name, count] : model.unknown_counts())
       result += name + " " + std::to_string(count) + ", ";

@@ -12,6 +12,7 @@
 
 #include "../mpi_environment.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -20,10 +21,13 @@ namespace pellicle::test
 {
 constexpr double pi = 3.141592653589793;
 
-/** A scene with default parameters: area 4 pi, kappa 1, so that the user's units are the internal ones. */
+/** A scene with default parameters: area 4 pi, kappa 1, so that the user's units are the internal ones. Equilibria are
+ * told from saddles by the number of negative eigenvalues; modes are not computed. */
 inline SurfaceScene scene_with(const std::vector<std::string> &effects)
 {
-  return make_surface_scene(standard_effects(), effects, {});
+  SurfaceScene scene          = make_surface_scene(standard_effects(), effects, {"stability"});
+  scene.stability.eigenvalues = 0;
+  return scene;
 }
 
 template <typename EffectType>
@@ -56,6 +60,20 @@ public:
   std::vector<IterationReport> iterations;
 };
 
+/** A reported quantity by its name, in the user's units. */
+inline double quantity(const SurfaceModel &model, const std::string &name)
+{
+  for (const auto &[reported, value] : model.quantities())
+    if (reported == name)
+      return value;
+  throw std::logic_error("the model does not report " + name);
+}
+
+inline double relative_error(const double value, const double exact)
+{
+  return std::abs(value / exact - 1.);
+}
+
 /** A model that has been solved once. */
 class Solved
 {
@@ -72,6 +90,8 @@ public:
   double sigma() const { return model.equilibrium().state().multipliers[0]; }
   double pressure() const { return -model.equilibrium().state().multipliers[1]; }
   const NodalVectors &positions() const { return model.equilibrium().state().fields[0]; }
+  double quantity(const std::string &name) const { return test::quantity(model, name); }
+  int negative_eigenvalues() const { return model.stability().value().negative_eigenvalues; }
   ShapeMeasures shape() const { return measure_shape(model.mesh(), positions()); }
 
   Communicator communicator;
