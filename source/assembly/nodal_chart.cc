@@ -102,10 +102,24 @@ NodalChart conormal_chart(const SurfaceDiscretization &discretization, const Nod
     const Direction nu = vector_at(conormals, I);
     if (norm(nu) == 0.)
       continue;
-    chart.unit_vectors[I]   = {{nu[0], nu[1], nu[2]}};
-    const Direction turning = cross(t, nu);
-    append_column(chart.nodes[I], (1. / norm(turning)) * turning, false);
+    chart.unit_vectors[I]      = {{nu[0], nu[1], nu[2]}};
+    const Direction about_line = (1. / norm(cross(t, nu))) * cross(t, nu);
+    append_column(chart.nodes[I], about_line, false);
+    if (discretization.kind == SurfaceDiscretization::Kind::surface)
+      append_column(chart.nodes[I], cross(nu, about_line), false);
   }
+  return chart;
+}
+
+NodalChart edge_scalar_chart(const SurfaceDiscretization &discretization)
+{
+  NodalChart chart;
+  chart.nodes.resize(discretization.n_nodes);
+  if (discretization.kind == SurfaceDiscretization::Kind::surface)
+    for (const EdgeLoop &loop : discretization.edges)
+      for (const std::size_t node : loop.cell_nodes)
+        if (chart.nodes[node].count == 0)
+          append_column(chart.nodes[node], {1., 0., 0.}, false);
   return chart;
 }
 

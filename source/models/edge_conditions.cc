@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/split_line.h>
 #include <pellicle/models/edge_conditions.h>
 
 #include <algorithm>
@@ -77,6 +78,9 @@ NodalConditions edge_conditions(const SurfaceDiscretization &discretization, con
     if (conormals.only.empty())
       conormals.only.assign(discretization.n_nodes, held());
     set_all(conormals, discretization, loop, std::nullopt);
+    // Its multiplier lives on one side of a split line only, that of the potential.
+    if (loop.name != far_side("domain boundary"))
+      conditions["edge multiplier"].only = conormals.only;
   };
   for (const SceneEdge &edge : targets.edges)
   {

@@ -142,8 +142,13 @@ void HelfrichBendingEffect::contribute(const Scales & /*scales*/, const SceneTar
     else if (edge.support == EdgeSupport::inner || edge.support == EdgeSupport::far_side
                  ? targets.gaussian_difference != 0.
                  : targets.gaussian_modulus != 0.)
+    {
       set.energies.push_back(std::make_shared<DensityPotential<HingedEdge>>(
           name(), HingedEdge{edge.support == EdgeSupport::far_side ? 1. : -1.}, where));
+      if (edge.support != EdgeSupport::far_side)
+        set.energies.push_back(
+            std::make_shared<DensityPotential<ConormalConstraint>>(name(), ConormalConstraint{}, where));
+    }
   }
 }
 

@@ -56,6 +56,25 @@ struct HingedEdge
 };
 
 /**
+ * mu nu . x,1: a multiplier field keeps an unknown conormal orthogonal to its edge, wherever that moves. (On a meridian
+ * it is so by construction, and there is no mu.)
+ */
+struct ConormalConstraint
+{
+  static constexpr std::array<FieldUse, 3> fields{
+      {{"position", Derivatives::first, FieldRole::independent},
+       {"edge conormal", Derivatives::none, FieldRole::internal, FieldSpace::edge_conormals},
+       {"edge multiplier", Derivatives::none, FieldRole::internal, FieldSpace::edge_scalars}}};
+  static constexpr bool reparametrisation_invariant = true;
+
+  template <typename Number>
+  Number density(const PointInputs<Number, 3> &inputs, const PointData & /*data*/) const
+  {
+    return inputs[2].value()[0] * dot(inputs[1].value(), inputs[0].d1());
+  }
+};
+
+/**
  * -kappa_G times the geodesic curvature of an edge, kappa_g = (dnu/ds) . t (1/R for the rim of a flat disc). By the
  * theorem of Gauss and Bonnet the Gaussian energy kappa_G times the integral of K is this plus 2 pi chi kappa_G. With a
  * conormal that is continuous along the edge there are no turning angles at the vertices of cells.
