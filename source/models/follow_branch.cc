@@ -120,6 +120,7 @@ ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, c
     result.failure = std::string("the bifurcation could not be located: ") + error.what();
     return result;
   }
+  count_before.reset();
   const auto visit_only = [&](const BranchPoint &point)
   {
     visit(point);
