@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace pellicle
 {
@@ -23,9 +24,12 @@ double scale_of(const BranchParameters &branch, const double value)
 
 std::vector<ParameterDerivative> of_parameter(std::vector<ParameterDerivative> all, const std::string &parameter)
 {
-  std::string possible;
+  std::set<std::string> names;
   for (const ParameterDerivative &derivative : all)
-    possible += (possible.empty() ? "" : ", ") + derivative.parameter;
+    names.insert(derivative.parameter);
+  std::string possible;
+  for (const std::string &name : names)
+    possible += (possible.empty() ? "" : ", ") + name;
   all.erase(std::remove_if(all.begin(), all.end(), [&](const auto &d) { return d.parameter != parameter; }), all.end());
   if (all.empty())
     throw UserError("Continuation/Parameter = " + parameter +
@@ -64,6 +68,7 @@ ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, c
   Continuation continuation(branch.steps, newton, *solver, timing);
 
   std::optional<int> count_before;
+  PlaceOnBranch before;
   bool at_bifurcation = false;
   const auto visit    = [&](const BranchPoint &point)
   {
@@ -83,6 +88,8 @@ ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, c
       here.negative_eigenvalues = last_stability->negative_eigenvalues;
       at_bifurcation            = count_before && *count_before != *here.negative_eigenvalues;
       count_before              = here.negative_eigenvalues;
+      if (!at_bifurcation)
+        before = {state, point.parameter, *count_before};
     }
     else if (point.is_fold)
       count_before.reset(); // here it changes without a bifurcation
@@ -99,22 +106,26 @@ ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, c
   if (result.end != ContinuationEnd::stopped)
     return result;
 
-  // Onto the crossing branch, along the mode that is critical there. Further bifurcations are only reported.
-  const SurfaceState state             = problem->state();
-  const std::optional<Stability> modes = analyse_stability(*problem, *solver, 4);
-  problem->set_state(state);
-  along.use_own_chart();
-  if (!modes || modes->modes.empty())
+  // Onto the crossing branch, along the mode that is critical there: first to the bifurcation, for beside it that
+  // branch may be out of reach or absent. Further bifurcations are only reported.
+  StartDirection sideways;
+  try
+  {
+    const Stability there = go_to_bifurcation(along, before, {problem->state(), along.parameter(), *count_before});
+    sideways              = StartDirection::along(problem->direction_of(critical_mode(there)), branch.amplitude);
+  }
+  catch (const SolveError &error)
   {
     result.end     = ContinuationEnd::failed;
-    result.failure = "the critical mode of the bifurcation was not found" + (modes ? ": " + modes->failure : "");
+    result.failure = std::string("the bifurcation could not be located: ") + error.what();
     return result;
   }
-  const StartDirection sideways = StartDirection::along(problem->direction_of(critical_mode(*modes)), branch.amplitude);
   count_before.reset();
   const auto visit_only = [&](const BranchPoint &point)
   {
     visit(point);
+    if (point.arc_length == 0.)
+      count_before.reset(); // at the bifurcation itself the number is left to round-off
     return true;
   };
   const ContinuationResult other = continuation.run(along, sideways, observer, visit_only);
@@ -125,5 +136,66 @@ ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, c
   result.iterations += other.iterations;
   result.rejected_steps += other.rejected_steps;
   return result;
+}
+
+// False position on the critical eigenvalue, which is nearly linear in the parameter; Illinois' halving where one end
+// stays.
+Stability SurfaceModel::go_to_bifurcation(SurfaceBranch &along, const PlaceOnBranch &before, const PlaceOnBranch &after)
+{
+  constexpr double nearness = 1e-4; // of the eigenvalue, relative to the larger one of the ends
+  constexpr int most_steps  = 20;
+  const int fewer           = std::min(before.negative_eigenvalues, after.negative_eigenvalues);
+  const auto analyse        = [&]
+  {
+    const SurfaceState state = problem->state();
+    const std::optional<Stability> stability =
+        analyse_stability(*problem, *solver, static_cast<unsigned int>(fewer) + 2);
+    problem->set_state(state);
+    along.use_own_chart();
+    problem->set_state(state);
+    if (!stability || stability->modes.empty())
+      throw SolveError("its critical mode was not found" + (stability ? ": " + stability->failure : ""));
+    return *stability;
+  };
+  const auto go = [&](const double parameter, const SurfaceState &state)
+  {
+    along.set_parameter(parameter);
+    problem->set_state(state);
+  };
+
+  struct End
+  {
+    PlaceOnBranch place;
+    double mu;
+  };
+  const auto critical = static_cast<std::size_t>(fewer);
+  End b{after, analyse().lowest[critical]};
+  go(before.parameter, before.state);
+  End a{before, analyse().lowest[critical]};
+  const double small = nearness * std::max(std::abs(a.mu), std::abs(b.mu));
+
+  NewtonParameters corrector = newton;
+  corrector.initial_drag     = 0.;
+  Observer nobody;
+  const End *stayed = nullptr;
+  for (int i = 0; i < most_steps; ++i)
+  {
+    const double parameter = (b.mu * a.place.parameter - a.mu * b.place.parameter) / (b.mu - a.mu);
+    go(parameter, std::abs(a.mu) < std::abs(b.mu) ? a.place.state : b.place.state);
+    const NewtonResult result = Newton(corrector, *solver, timing).solve(along, 0, nobody);
+    if (!result.converged)
+      throw SolveError(result.failure);
+    const Stability there = analyse();
+    const double mu       = there.lowest[critical];
+    if (std::abs(mu) < small)
+      return there;
+    const bool like_a = (mu > 0.) == (a.mu > 0.);
+    End &replaced = like_a ? a : b, &kept = like_a ? b : a;
+    replaced = {{problem->state(), parameter, there.negative_eigenvalues}, mu};
+    if (stayed == &kept)
+      kept.mu *= 0.5;
+    stayed = &kept;
+  }
+  throw SolveError("its critical eigenvalue does not come to zero");
 }
 } // namespace pellicle

@@ -37,17 +37,31 @@ std::vector<double> SurfaceBranch::residual_derivative()
   const std::vector<Constraint> &constraints = problem.potentials().constraints;
   PotentialSet energies;
   std::vector<double> targets(constraints.size(), 0.);
+  std::vector<PotentialSet> measures(constraints.size());
   for (const ParameterDerivative &derivative : scene_parameter.derivatives(scene_parameter.value))
   {
     if (derivative.energy)
       energies.energies.push_back(derivative.energy);
     for (std::size_t k = 0; k < constraints.size(); ++k)
       if (constraints[k].quantity == derivative.quantity)
+      {
         targets[k] += derivative.target;
+        if (derivative.measure)
+          measures[k].energies.push_back(derivative.measure);
+      }
   }
+  const std::size_t n_nodal  = problem.numbering().n_nodal;
   std::vector<double> result = problem.gradient_of(energies);
   for (std::size_t k = 0; k < constraints.size(); ++k)
-    result[problem.numbering().n_nodal + k] = -targets[k];
+  {
+    result[n_nodal + k] = -targets[k];
+    if (measures[k].energies.empty())
+      continue;
+    const std::vector<double> gradient = problem.gradient_of(measures[k]);
+    for (std::size_t i = 0; i < n_nodal; ++i)
+      result[i] += problem.state().multipliers[k] * gradient[i];
+    result[n_nodal + k] += problem.value_of(measures[k]);
+  }
   return result;
 }
 

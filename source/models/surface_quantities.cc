@@ -93,7 +93,10 @@ std::optional<double> SurfaceModel::energy_slope(const SurfaceScene &scene, cons
     }
     for (std::size_t k = 0; k < constraints.size(); ++k)
       if (constraints[k].quantity == derivative.quantity)
-        *slope -= problem->state().multipliers[k] * derivative.target;
+      {
+        const double of_measure = derivative.measure ? problem->value_of({{derivative.measure}, {}, {}, {}}) : 0.;
+        *slope += problem->state().multipliers[k] * (of_measure - derivative.target);
+      }
   }
   return slope;
 }

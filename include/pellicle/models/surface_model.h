@@ -17,6 +17,8 @@
 
 namespace pellicle
 {
+class SurfaceBranch;
+
 /**
  * A surface built from a scene: mesh, fields, lists, in internal units (length sqrt(A/4 pi), the effects' energy,
  * origin at the centroid). What users ask for is scaled back.
@@ -104,6 +106,16 @@ private:
   PotentialSet potentials_of(const SurfaceScene &scene);
   void look_at_stability(EquilibriumSearch &search);
   void count_unknowns();
+
+  struct PlaceOnBranch
+  {
+    SurfaceState state;
+    double parameter         = 0.;
+    int negative_eigenvalues = 0;
+  };
+  /** Between two places with different numbers of unstable modes, the model being at the second one: goes to where an
+   * eigenvalue is zero, and returns those there. Throws SolveError. */
+  Stability go_to_bifurcation(SurfaceBranch &along, const PlaceOnBranch &before, const PlaceOnBranch &after);
 
   NewtonParameters newton;
   Scales unit;

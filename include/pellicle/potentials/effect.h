@@ -110,10 +110,11 @@ struct SceneTargets
  */
 struct ParameterDerivative
 {
-  std::string parameter;                   ///< "Section/Name"
-  std::shared_ptr<const Potential> energy; ///< dE/dp; null: none
-  std::string quantity;                    ///< the constraint of this quantity has the target's derivative ...
-  double target = 0.;                      ///< ... dg_0/dp
+  std::string parameter;                         ///< "Section/Name"
+  std::shared_ptr<const Potential> energy;       ///< dE/dp; null: none
+  std::string quantity;                          ///< the constraint of this quantity has the target's derivative ...
+  double target                            = 0.; ///< ... dg_0/dp
+  std::shared_ptr<const Potential> measure = nullptr; ///< ... and the measure's, dg/dp at fixed fields; null: none
 };
 
 /**
