@@ -2,6 +2,7 @@
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/assembly/nodal_chart.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/point_walk.h>
 #include <pellicle/discretization/refined_quads.h>
 
 #include <algorithm>
@@ -133,21 +134,14 @@ NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const No
   const ShapeTables tables = make_tables_at(discretization.kind, discretization.degree, sites);
 
   NodalVectors normals(3 * discretization.n_nodes, 0.);
-  std::vector<double> inputs(std::size_t(tables.n_points) * 18);
-  for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
-  {
-    const std::size_t *nodes = discretization.cell_nodes.data() + cell * tables.n_nodes;
-    evaluate_field(tables, nodes, positions, 3, inputs.data());
-    for (unsigned int I = 0; I < tables.n_nodes; ++I)
-    {
-      const double *x = inputs.data() + 18 * I;
-      const Vector3<double> x1(x[3], x[4], x[5]);
-      // On a meridian x,2 = r e_y vanishes at the poles, its direction does not.
-      const Vector3<double> N = cross(x1, meridian ? Vector3<double>(0., 1., 0.) : Vector3<double>(x[6], x[7], x[8]));
-      for (unsigned int c = 0; c < 3; ++c)
-        normals[3 * nodes[I] + c] += N[c];
-    }
-  }
+  for_all_points(tables, discretization.cell_nodes, positions, 3,
+                 [&](const WalkPoint &x)
+                 {
+                   // On a meridian x,2 = r e_y vanishes at the poles, its direction does not.
+                   const Vector3<double> N = cross(x[1], meridian ? Vector3<double>(0., 1., 0.) : x[2]);
+                   for (unsigned int c = 0; c < 3; ++c)
+                     normals[3 * x.nodes[x.q] + c] += N[c];
+                 });
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
   {
     const Vector3<double> sum(normals[3 * I], normals[3 * I + 1], normals[3 * I + 2]);
@@ -166,26 +160,19 @@ std::vector<double> nodal_areas(const SurfaceDiscretization &discretization, con
 {
   std::vector<double> areas(discretization.n_nodes, 0.);
   const ShapeTables &tables = discretization.tables;
-  std::vector<double> inputs(std::size_t(tables.n_points) * 18);
   double total = 0., sum = 0.;
-  for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
-  {
-    const std::size_t *nodes = discretization.cell_nodes.data() + cell * tables.n_nodes;
-    evaluate_field(tables, nodes, positions, 3, inputs.data());
-    for (unsigned int q = 0; q < tables.n_points; ++q)
-    {
-      const double *x = inputs.data() + 18 * q;
-      const double dA =
-          tables.weights[q] * norm(cross(Vector3<double>(x[3], x[4], x[5]), Vector3<double>(x[6], x[7], x[8])));
-      total += dA;
-      for (unsigned int I = 0; I < tables.n_nodes; ++I)
-      {
-        const double N = tables.tables[0][std::size_t(q) * tables.n_nodes + I];
-        areas[nodes[I]] += N * N * dA;
-        sum += N * N * dA;
-      }
-    }
-  }
+  for_all_points(tables, discretization.cell_nodes, positions, 3,
+                 [&](const WalkPoint &x)
+                 {
+                   const double dA = x.area();
+                   total += dA;
+                   for (unsigned int I = 0; I < tables.n_nodes; ++I)
+                   {
+                     const double N = tables.tables[0][std::size_t(x.q) * tables.n_nodes + I];
+                     areas[x.nodes[I]] += N * N * dA;
+                     sum += N * N * dA;
+                   }
+                 });
   for (double &area : areas)
     area *= total / sum;
   return areas;

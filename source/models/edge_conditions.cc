@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/point_walk.h>
 #include <pellicle/discretization/split_line.h>
 #include <pellicle/models/edge_conditions.h>
 
@@ -115,19 +116,14 @@ NodalConditions edge_conditions(const SurfaceDiscretization &discretization, con
 std::vector<Vector3<double>> start_conormals(const SurfaceDiscretization &discretization, const EdgeLoop &loop,
                                              const StartShape &shape)
 {
-  const double b            = elevation(loop, shape);
-  const ShapeTables &tables = loop.tables;
+  const double b = elevation(loop, shape);
   std::vector<Vector3<double>> result;
-  std::vector<double> inputs(std::size_t(tables.n_points) * 18);
-  for (std::size_t edge = 0; edge < loop.n_cells; ++edge)
+  const auto add = [&](const WalkPoint &point)
   {
-    evaluate_field(tables, loop.cell_nodes.data() + edge * tables.n_nodes, discretization.positions, 1, inputs.data());
-    for (unsigned int q = 0; q < tables.n_points; ++q)
-    {
-      const double x = inputs[18 * q], y = inputs[18 * q + 1], r = std::hypot(x, y);
-      result.emplace_back(std::cos(b) * x / r, std::cos(b) * y / r, std::sin(b));
-    }
-  }
+    const double x = point[0][0], y = point[0][1], r = std::hypot(x, y);
+    result.emplace_back(std::cos(b) * x / r, std::cos(b) * y / r, std::sin(b));
+  };
+  for_all_points(loop.tables, loop.cell_nodes, discretization.positions, 1, add);
   return result;
 }
 } // namespace pellicle

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/point_walk.h>
 #include <pellicle/models/surface_problem.h>
 #include <pellicle/potentials/energies/mesh_distortion.h>
 
@@ -66,17 +67,10 @@ std::vector<ReferenceMetric> reference_metric(const SurfaceDiscretization &discr
   const ShapeTables &tables = discretization.tables;
   std::vector<ReferenceMetric> metric;
   metric.reserve(discretization.n_cells * tables.n_points);
-  std::vector<double> inputs(std::size_t(tables.n_points) * 18);
-  for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
-  {
-    evaluate_field(tables, discretization.cell_nodes.data() + cell * tables.n_nodes, positions, 3, inputs.data());
-    for (unsigned int q = 0; q < tables.n_points; ++q)
-    {
-      const double *x = inputs.data() + 18 * q;
-      const Vector3<double> x1(x[3], x[4], x[5]), x2(x[6], x[7], x[8]);
-      metric.push_back({dot(x1, x1), dot(x1, x2), dot(x2, x2)});
-    }
-  }
+  for_all_points(tables, discretization.cell_nodes, positions, 3,
+                 [&](const WalkPoint &x) {
+                   metric.push_back({dot(x[1], x[1]), dot(x[1], x[2]), dot(x[2], x[2])});
+                 });
   return metric;
 }
 
