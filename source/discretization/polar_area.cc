@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "polar_area.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
 
@@ -16,7 +17,6 @@ namespace pellicle
 {
 namespace
 {
-constexpr double pi               = 3.141592653589793;
 constexpr unsigned int n_panels   = 16;
 constexpr unsigned int n_azimuths = 128; ///< the trapezoidal rule converges exponentially in a periodic direction
 using PanelRule                   = boost::math::quadrature::gauss<double, 15>;

@@ -3,6 +3,7 @@
 #include "graded_line.h"
 #include "meridian_line.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/builders.h>
@@ -20,7 +21,6 @@ namespace pellicle
 {
 namespace
 {
-constexpr double pi              = 3.141592653589793;
 constexpr double greatest_growth = 3.; ///< of cells from one to the next
 
 bool is_positive(const double x)

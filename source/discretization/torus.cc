@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/builders.h>
@@ -31,7 +32,6 @@ SurfaceDiscretization torus(const double ratio, const double area, const unsigne
   if (!(ratio > 1. && ratio < std::numeric_limits<double>::infinity()))
     throw UserError("Torus ratio = " + exact_text(ratio) +
                     ": R/r must be a number > 1, or the torus would touch itself (1.41421 is Clifford's).");
-  const double pi = 3.141592653589793;
   const double r = std::sqrt(area / (4. * pi * pi * ratio)), R = ratio * r;
 
   // The centre line is `ratio` times as long as the tube's circumference. Three cells are the fewest of a periodic

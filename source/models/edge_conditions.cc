@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/point_walk.h>
 #include <pellicle/discretization/split_line.h>
@@ -12,8 +13,6 @@ namespace pellicle
 {
 namespace
 {
-constexpr double half_pi = 1.5707963267948966;
-
 const EdgeLoop &loop_named(const SurfaceDiscretization &discretization, const std::string &name)
 {
   const auto &edges = discretization.edges;
@@ -61,11 +60,11 @@ void tie(FieldConditions &conditions, const SurfaceDiscretization &discretizatio
 double elevation(const EdgeLoop &loop, const StartShape &shape)
 {
   if (loop.name == "tip")
-    return 2. * half_pi; // inwards
+    return pi; // inwards
   if (loop.name == "upper rim")
-    return half_pi;
+    return 0.5 * pi;
   if (loop.name == "lower rim")
-    return -half_pi;
+    return -0.5 * pi;
   return shape.name == "cap" ? -shape.cap_angle : 0.;
 }
 } // namespace

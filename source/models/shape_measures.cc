@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/point_walk.h>
 #include <pellicle/discretization/surface_quality.h>
@@ -13,8 +14,6 @@ namespace pellicle
 {
 namespace
 {
-constexpr double pi = 3.141592653589793;
-
 struct Integrals
 {
   double area      = 0.;

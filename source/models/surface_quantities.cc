@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What users read of a surface model: quantities and sampled fields, scaled back to their units.
+#include <pellicle/base/constants.h>
 #include <pellicle/discretization/edge_loops.h>
 #include <pellicle/models/make_sample.h>
 #include <pellicle/models/neck.h>
@@ -15,8 +16,6 @@ namespace pellicle
 {
 namespace
 {
-constexpr double pi = 3.141592653589793;
-
 /** "surface tension" -> "surface_tension_energy". */
 std::string energy_quantity(const std::string &potential)
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/base/near_match.h>
 #include <pellicle/discretization/split_line.h>
 #include <pellicle/models/surface_scene.h>
@@ -15,8 +16,6 @@ namespace pellicle
 {
 namespace
 {
-constexpr double pi = 3.141592653589793238462643;
-
 // A third of the scale on which the membrane bends at the tip, or what equal cells have.
 double smallest_tether_cell(const TetherParameters &tether, const StartShape &shape)
 {

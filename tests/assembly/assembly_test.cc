@@ -3,6 +3,7 @@
 #include "sample_problem.h"
 
 #include <pellicle/assembly/bordered_system.h>
+#include <pellicle/base/constants.h>
 #include <pellicle/base/observer.h>
 #include <pellicle/models/surface_model.h>
 #include <pellicle/potentials/energies/mesh_distortion.h>
@@ -140,10 +141,9 @@ TEST(Assembler, NoUnknownsOfWhatIsNotListed)
 TEST(NodalChart, NormalsAndAreasOfASphere)
 {
   const SmoothShape sphere                                             = ellipsoid({{2., 2., 2.}});
-  const std::vector<std::pair<SurfaceDiscretization, double>> surfaces = {
-      {on_cube_sphere(sphere, 3, 2), 16. * 3.141592653589793},
-      {on_meridian(sphere, 3, 3, false), 16. * 3.141592653589793},
-      {on_meridian(sphere, 3, 2, true), 16. * 3.141592653589793}};
+  const std::vector<std::pair<SurfaceDiscretization, double>> surfaces = {{on_cube_sphere(sphere, 3, 2), 16. * pi},
+                                                                          {on_meridian(sphere, 3, 3, false), 16. * pi},
+                                                                          {on_meridian(sphere, 3, 2, true), 16. * pi}};
   for (const auto &[surface, area] : surfaces)
   {
     const NodalVectors normals      = nodal_normals(surface, surface.positions);

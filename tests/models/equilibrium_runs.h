@@ -2,6 +2,7 @@
 // Vesicles for the tests: a scene, its model, and what its iterations reported.
 #pragma once
 
+#include <pellicle/base/constants.h>
 #include <pellicle/base/observer.h>
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_model.h>
@@ -19,8 +20,6 @@
 
 namespace pellicle::test
 {
-constexpr double pi = 3.141592653589793;
-
 /** A scene with default parameters: area 4 pi, kappa 1, so that the user's units are the internal ones. Equilibria are
  * told from saddles by the number of negative eigenvalues; modes are not computed. */
 inline SurfaceScene scene_with(const std::vector<std::string> &effects)

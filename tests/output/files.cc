@@ -2,6 +2,7 @@
 // Whole files, tables, the output directory.
 #include "temporary_directory.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/output/atomic_file.h>
 #include <pellicle/output/observer_list.h>
@@ -98,7 +99,7 @@ TEST(Csv, QuotesOnlyWhereNeeded)
 
 TEST(Csv, NumbersReadBack)
 {
-  for (const double value : {0.1, 1. / 3., 1e-300, -12345.678901234567, 4 * M_PI, 5e-324, 1.7976931348623157e308})
+  for (const double value : {0.1, 1. / 3., 1e-300, -12345.678901234567, 4 * pi, 5e-324, 1.7976931348623157e308})
     EXPECT_EQ(std::strtod(number_text(value).c_str(), nullptr), value) << number_text(value);
   EXPECT_EQ(number_text(0.1), "0.1");
   EXPECT_EQ(number_text(-std::nan("")), "nan");

@@ -2,6 +2,7 @@
 // Branches of small problems that are known in closed form.
 #include "parametrised_problems.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/solvers/continuation.h>
 #include <pellicle/solvers/load_stepping.h>
@@ -383,7 +384,7 @@ TEST(Continuation, LengthensStepsWhereTheBranchIsStraightAndShortensThemWhereItT
     // Unit tangents: (1, 1, 3 x^2 - 1) for ds^2 = dx^2 + dy^2 + dp^2
     const double a = std::pow(branch.states[i - 1][0], 2) * 3. - 1., b = std::pow(branch.states[i][0], 2) * 3. - 1.;
     const double cosine = (2. + a * b) / std::sqrt((2. + a * a) * (2. + b * b));
-    EXPECT_GT(cosine, std::cos(10.01 * std::acos(-1.) / 180.));
+    EXPECT_GT(cosine, std::cos(10.01 * pi / 180.));
   }
   EXPECT_GT(longest, 1.);
   EXPECT_LT(longest_near_fold, 0.5);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Lowest eigenvalues of matrices with known spectra; some tests also with two MPI processes (second ctest entry).
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/solvers/eigenvalues.h>
 
@@ -18,8 +19,6 @@ using namespace pellicle::synthetic;
 
 namespace
 {
-const double pi = std::acos(-1.);
-
 struct Pencil
 {
   MatrixBuilder K, M;

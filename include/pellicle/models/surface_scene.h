@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/constants.h>
 #include <pellicle/base/parameters.h>
 #include <pellicle/discretization/start_shapes.h>
 #include <pellicle/models/stability.h>
@@ -33,7 +34,7 @@ struct MeshParameters
 /** Section "Vesicle": start shape and targets of the constraints, in the user's units. */
 struct VesicleParameters
 {
-  double area             = 12.566370614359172;
+  double area             = 4. * pi;
   double reduced_volume   = 0.9;
   std::string start_shape = "prolate";
   std::vector<double> semi_axes{1., 1., 1.2};
@@ -42,7 +43,7 @@ struct VesicleParameters
   double tube_ratio               = 1.;
   std::string rim                 = "free";
   std::string reference_shape     = "start shape";
-  double reference_area           = 12.566370614359172;
+  double reference_area           = 4. * pi;
   double reference_reduced_volume = 0.95;
   double node_noise               = 0.;
   int random_seed                 = 1;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/potentials/density_potential.h>
 #include <pellicle/potentials/edges/edge_bending.h>
@@ -41,7 +42,7 @@ void GaussianCurvatureEffect::contribute(const Scales & /*scales*/, const SceneT
   if (!targets.has_bending())
     throw UserError("The effect 'gaussian curvature' needs the bending energy besides it: add 'helfrich bending' to "
                     "Effects.");
-  constexpr double two_pi = 6.283185307179586;
+  constexpr double two_pi = 2. * pi;
   set.constants.push_back(
       {"gaussian_energy", two_pi * targets.euler_characteristic * targets.gaussian_modulus, dimensions::energy});
   const auto on_edge = [&](const double modulus, const SceneEdge &edge)

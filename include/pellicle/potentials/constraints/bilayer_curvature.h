@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/constants.h>
 #include <pellicle/potentials/effect.h>
 #include <pellicle/potentials/surface_measures.h>
 
@@ -65,7 +66,7 @@ struct BilayerSelfTerm
 
 struct BilayerCouplingParameters
 {
-  double integrated_mean_curvature = 12.566370614359172;
+  double integrated_mean_curvature = 4. * pi;
 
   void bind(ParameterSection &section);
 };
@@ -85,7 +86,7 @@ public:
 
 struct AreaDifferenceElasticityParameters
 {
-  double integrated_mean_curvature = 12.566370614359172;
+  double integrated_mean_curvature = 4. * pi;
   double stiffness                 = 1.;
 
   void bind(ParameterSection &section);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/constants.h>
 #include <pellicle/potentials/effect.h>
 
 namespace pellicle
@@ -17,7 +18,7 @@ struct TipHeight
   template <typename Number>
   Number density(const PointInputs<Number, 1> &inputs, const PointData & /*data*/) const
   {
-    constexpr double two_pi = 6.283185307179586;
+    constexpr double two_pi = 2. * pi;
     return factor * inputs[0].value()[2] * norm(inputs[0].d1()) / (two_pi * tip_radius);
   }
 };
