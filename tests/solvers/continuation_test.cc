@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Branches of small problems that are known in closed form.
+#include "expect_user_error.h"
 #include "parametrised_problems.h"
 
 #include <pellicle/base/constants.h>
-#include <pellicle/base/exceptions.h>
 #include <pellicle/solvers/continuation.h>
 #include <pellicle/solvers/load_stepping.h>
 
@@ -321,17 +321,7 @@ TEST(Continuation, EndsAtOnceAtABoundItHeadsBeyond)
   EXPECT_EQ(branch.result.points, 1);
   branch.parameters.upper = 0.3;
   branch.parameters.lower = -1.;
-  try
-  {
-    branch.follow(problem, StartDirection::increasing());
-    FAIL() << "nothing thrown";
-  }
-  catch (const UserError &error)
-  {
-    const std::string text = error.what();
-    EXPECT_NE(text.find("-1.875"), std::string::npos) << text;
-    EXPECT_NE(text.find("Continuation/Lower = -1"), std::string::npos) << text;
-  }
+  EXPECT_USER_ERROR(branch.follow(problem, StartDirection::increasing()), "-1.875", "Continuation/Lower = -1");
 }
 
 // Where there is no state beyond x = -0.8, steps shrink towards it, and the run says so.
