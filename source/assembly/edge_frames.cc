@@ -2,6 +2,9 @@
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/discretization/refined_quads.h>
 
+#include <array>
+#include <vector>
+
 namespace pellicle
 {
 namespace

@@ -2,7 +2,9 @@
 #include <pellicle/assembly/position_mass.h>
 #include <pellicle/discretization/point_walk.h>
 
+#include <algorithm>
 #include <map>
+#include <vector>
 
 namespace pellicle
 {

@@ -11,6 +11,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace pellicle

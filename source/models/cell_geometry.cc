@@ -5,6 +5,9 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <array>
+#include <vector>
+
 namespace pellicle
 {
 CellGeometry::CellGeometry(const SurfaceDiscretization &discretization, const NodalVectors &nodal_positions)

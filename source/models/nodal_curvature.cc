@@ -8,6 +8,8 @@
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 namespace pellicle
 {

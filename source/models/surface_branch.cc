@@ -3,6 +3,8 @@
 #include <pellicle/models/surface_branch.h>
 
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace pellicle
 {

@@ -6,6 +6,7 @@
 #include <pellicle/models/surface_model.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <random>

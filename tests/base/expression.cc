@@ -4,6 +4,7 @@
 #include <pellicle/base/expression.h>
 
 #include <cmath>
+#include <limits>
 
 using namespace pellicle;
 using pellicle::test::expect_user_error;

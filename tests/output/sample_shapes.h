@@ -4,6 +4,7 @@
 #include <pellicle/base/constants.h>
 #include <pellicle/models/surface_sample.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>

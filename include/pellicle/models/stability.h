@@ -6,6 +6,7 @@
 #include <pellicle/solvers/linear_solver.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace pellicle

@@ -5,6 +5,8 @@
 #include <pellicle/solvers/parametrised_problem.h>
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace pellicle
 {

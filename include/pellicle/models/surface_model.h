@@ -7,6 +7,7 @@
 #include <pellicle/models/surface_sample.h>
 #include <pellicle/models/surface_scene.h>
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
