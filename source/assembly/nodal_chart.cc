@@ -144,7 +144,7 @@ NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const No
                  });
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
   {
-    const Vector3<double> sum(normals[3 * I], normals[3 * I + 1], normals[3 * I + 2]);
+    const Vector3<double> sum = vector_at(normals, I);
     Vector3<double> d;
     for (const Direction &e : admissible_directions(discretization, I))
       d += dot(sum, e) * e;

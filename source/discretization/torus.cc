@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "turned.h"
+
 #include <pellicle/base/constants.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
@@ -19,10 +21,7 @@ namespace
 /** Angles in units of pi: `major` about the z axis, `minor` about the tube's centre line, from its outside upwards. */
 Vector3<double> torus_point(const double R, const double r, const double major, const double minor)
 {
-  using boost::math::cos_pi;
-  using boost::math::sin_pi;
-  const double rho = R + r * cos_pi(minor);
-  return {rho * cos_pi(major), rho * sin_pi(major), r * sin_pi(minor)};
+  return turned(R + r * boost::math::cos_pi(minor), major, r * boost::math::sin_pi(minor));
 }
 } // namespace
 

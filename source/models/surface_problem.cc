@@ -29,28 +29,22 @@ std::vector<NodalVectors> weighted_rigid_motions(const SurfaceDiscretization &di
   const ShapeTables &tables = discretization.tables;
   std::vector<NodalVectors> directions(discretization.rigid_motions.size(),
                                        NodalVectors(3 * discretization.n_nodes, 0.));
-  std::vector<double> inputs(std::size_t(tables.n_points) * 18);
-  for (std::size_t cell = 0; cell < discretization.n_cells && !directions.empty(); ++cell)
+  const auto add = [&](const WalkPoint &x)
   {
-    const std::size_t *nodes = discretization.cell_nodes.data() + cell * tables.n_nodes;
-    evaluate_field(tables, nodes, positions, 3, inputs.data());
-    for (unsigned int q = 0; q < tables.n_points; ++q)
+    const double dA = x.area();
+    for (std::size_t k = 0; k < directions.size(); ++k)
     {
-      const double *x = inputs.data() + 18 * q;
-      const double dA =
-          tables.weights[q] * norm(cross(Vector3<double>(x[3], x[4], x[5]), Vector3<double>(x[6], x[7], x[8])));
-      for (std::size_t k = 0; k < directions.size(); ++k)
-      {
-        const RigidMotion &motion = discretization.rigid_motions[k];
-        const Vector3<double> t(motion.translation[0], motion.translation[1], motion.translation[2]);
-        const Vector3<double> r(motion.rotation[0], motion.rotation[1], motion.rotation[2]);
-        const Vector3<double> v = t + cross(r, Vector3<double>(x[0], x[1], x[2]));
-        for (unsigned int I = 0; I < tables.n_nodes; ++I)
-          for (unsigned int c = 0; c < 3; ++c)
-            directions[k][3 * nodes[I] + c] += tables.tables[0][std::size_t(q) * tables.n_nodes + I] * dA * v[c];
-      }
+      const RigidMotion &motion = discretization.rigid_motions[k];
+      const Vector3<double> t(motion.translation[0], motion.translation[1], motion.translation[2]);
+      const Vector3<double> r(motion.rotation[0], motion.rotation[1], motion.rotation[2]);
+      const Vector3<double> v = t + cross(r, x[0]);
+      for (unsigned int I = 0; I < tables.n_nodes; ++I)
+        for (unsigned int c = 0; c < 3; ++c)
+          directions[k][3 * x.nodes[I] + c] += tables.tables[0][std::size_t(x.q) * tables.n_nodes + I] * dA * v[c];
     }
-  }
+  };
+  if (!directions.empty())
+    for_all_points(tables, discretization.cell_nodes, positions, 3, add);
   return directions;
 }
 } // namespace
@@ -433,8 +427,7 @@ double SurfaceProblem::displacement(const std::vector<double> &direction) const
   double largest          = 0.;
   for (std::size_t I = 0; I < surface.n_nodes; ++I)
   {
-    const double length =
-        std::sqrt(move[3 * I] * move[3 * I] + move[3 * I + 1] * move[3 * I + 1] + move[3 * I + 2] * move[3 * I + 2]);
+    const double length = norm(vector_at(move, I));
     if (!(length <= largest)) // keeps nan
       largest = length;
   }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <pellicle/base/constants.h>
-#include <pellicle/base/observer.h>
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_model.h>
 #include <pellicle/potentials/constraints/total_area.h>
@@ -12,6 +11,7 @@
 #include <pellicle/potentials/energies/surface_tension.h>
 
 #include "../mpi_environment.h"
+#include "../record.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -50,14 +50,6 @@ inline SurfaceScene vesicle(const std::string &start_shape, const double reduced
   scene.mesh.symmetry          = symmetry;
   return scene;
 }
-
-/** Collects the reports. */
-class Record : public Observer
-{
-public:
-  void on_iteration(const IterationReport &report) override { iterations.push_back(report); }
-  std::vector<IterationReport> iterations;
-};
 
 /** A reported quantity by its name, in the user's units. */
 inline double quantity(const SurfaceModel &model, const std::string &name)

@@ -2,6 +2,7 @@
 // Branches of small problems that are known in closed form.
 #include "expect_user_error.h"
 #include "parametrised_problems.h"
+#include "record.h"
 
 #include <pellicle/base/constants.h>
 #include <pellicle/solvers/continuation.h>
@@ -17,15 +18,7 @@ namespace
 {
 using namespace pellicle;
 using namespace pellicle::synthetic;
-
-class Record : public Observer
-{
-public:
-  void on_iteration(const IterationReport &report) override { iterations.push_back(report); }
-  void on_message(const std::string &text) override { messages.push_back(text); }
-  std::vector<IterationReport> iterations;
-  std::vector<std::string> messages;
-};
+using pellicle::test::Record;
 
 /** A run, and at each of its points what continuation reports and the state. */
 class Branch
