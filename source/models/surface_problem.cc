@@ -15,6 +15,9 @@ constexpr double rigid_rho =
     1e4; // stiffness of the gauge against rigid motions; its size has no influence on a solution
 constexpr double chart_reach   = 0.1; // displacement, relative to the length, after which normals and gauge are renewed
 constexpr double merit_penalty = 10.; // of squared constraint violations in the merit, internal units
+// Forces below it, in internal units, count as this large: where a skin is free of stress there are none to compare
+// the residual with.
+constexpr double smallest_forces = 1e-4;
 
 // w_I (t + r x x_I) for each rigid motion.
 std::vector<NodalVectors> weighted_rigid_motions(const SurfaceDiscretization &discretization,
@@ -251,7 +254,7 @@ void SurfaceProblem::linearize()
 
 double SurfaceProblem::relative_residual() const
 {
-  return system->residual_norm() / system->contribution_norm();
+  return system->residual_norm() / std::max(system->contribution_norm(), smallest_forces);
 }
 
 double SurfaceProblem::constraint_violation() const
