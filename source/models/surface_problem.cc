@@ -19,6 +19,9 @@ constexpr double rigid_rho =
     1e4; // stiffness of the gauge against rigid motions; its size has no influence on a solution
 constexpr double chart_reach   = 0.1; // displacement, relative to the length, after which normals and gauge are renewed
 constexpr double merit_penalty = 10.; // of squared constraint violations in the merit, internal units
+// Forces below it, in internal units, count as this large: where a skin is free of stress there are none to compare
+// the residual with.
+constexpr double smallest_forces = 1e-4;
 
 // Integral of N_I (t + r x x) for each rigid motion: displacements that the gauge allows are orthogonal to it in L2,
 // and so are the modes of a stability analysis. (Positive weights of nodes would do for a gauge, but a mode of high
@@ -256,7 +259,7 @@ void SurfaceProblem::linearize()
 
 double SurfaceProblem::relative_residual() const
 {
-  return system->residual_norm() / system->contribution_norm();
+  return system->residual_norm() / std::max(system->contribution_norm(), smallest_forces);
 }
 
 double SurfaceProblem::constraint_violation() const

@@ -14,6 +14,7 @@
 #include "../record.h"
 
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -92,6 +93,25 @@ public:
   StepResult result;
   double seconds;
 };
+
+/** Load steps as the application takes them, from an equilibrium: scene(t) for t from 0 (that of the model) to 1.
+ * Returns the last t that was reached; `solved.result` is that of the last attempt. */
+inline double walk(Solved &solved, const int steps, const std::function<SurfaceScene(double t)> &scene)
+{
+  LoadParameters load;
+  load.steps = steps;
+  int number = 1;
+  return walk_load(load,
+                   [&](const double t)
+                   {
+                     if (t > 0.)
+                     {
+                       solved.model.update(scene(t));
+                       solved.result = solved.model.solve(++number, solved.record);
+                     }
+                     return solved.result.converged;
+                   });
+}
 
 /** Quadratic convergence: from the first residual below `small` on, each is at most
  * factor * (the one before)^2, or at round-off. Needs at least one such pair. */
