@@ -14,7 +14,7 @@ packages=(
   # parallel runs
   mpi-default-dev mpi-default-bin
   # pictures
-  python3 python3-vtk9 xvfb xauth
+  python3 python3-vtk9 xvfb xauth python3-matplotlib
   # tests
   libgtest-dev clang-format-14
 )

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/apps/branch_run.h>
 #include <pellicle/apps/surface_run.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/expression.h>
 #include <pellicle/base/scene_file.h>
 #include <pellicle/discretization/surface_quality.h>
+#include <pellicle/models/jump_detector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -94,6 +96,11 @@ void SurfaceSceneFile::set(const std::string &path, const double value, const st
   scene.set(path, exact_text(value), origin);
 }
 
+void SurfaceSceneFile::set_text(const std::string &path, const std::string &value, const std::string &origin)
+{
+  scene.set(path, value, origin);
+}
+
 double SurfaceSceneFile::number(const std::string &path) const
 {
   return evaluate_number(scene.value(path));
@@ -110,11 +117,13 @@ SurfaceScene scene_at_start_of_load(SurfaceSceneFile &file, const LoadParameters
   const double own = number_of_load("Parameter", load.parameter, [&] { return file.number(load.parameter); });
   const double from =
       load.from.empty() ? own : number_of_load("From", load.from, [&] { return evaluate_number(load.from); });
-  const double to = number_of_load("To", load.to, [&] { return evaluate_number(load.to); });
+  const double to = load.to.empty() ? own : number_of_load("To", load.to, [&] { return evaluate_number(load.to); });
   file.set(load.parameter, to, "Load/To");
   file.read();
   file.set(load.parameter, from, "Load/From");
-  return file.read();
+  SurfaceScene scene = file.read();
+  scene.load.to      = exact_text(to);
+  return scene;
 }
 
 std::string commented_scene_of(const SurfaceApplication &application)
@@ -138,6 +147,27 @@ std::string commented_scene_of(const SurfaceApplication &application)
   return commented_scene(description);
 }
 
+void describe(const SurfaceScene &scene, const SurfaceModel &model, RunResult &result)
+{
+  for (const auto &effect : scene.effects)
+    result.effects.push_back(effect->name());
+  result.analyses = scene.analyses;
+  result.n_cells  = model.n_cells();
+  result.degree   = model.mesh().degree;
+  for (const auto &[name, n] : model.unknown_counts())
+  {
+    result.unknowns.blocks.emplace_back(name, n);
+    result.unknowns.total += n;
+  }
+  if (const std::optional<Stability> &stability = model.stability())
+  {
+    result.stability                       = StabilityCounts{};
+    result.stability->negative_eigenvalues = stability->negative_eigenvalues;
+    for (const double eigenvalue : stability->lowest)
+      result.stability->lowest.push_back(eigenvalue * model.scales().of({1, -4}));
+  }
+}
+
 RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer,
                       const SolutionSink &sink)
 {
@@ -148,10 +178,50 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
   const double to            = stepping ? evaluate_number(load.to) : 0.;
   std::string failure;
 
+  const auto report = [&](const int step, const double fraction_done, const double value, const int iterations)
+  {
+    StepReport done;
+    done.step              = step;
+    done.fraction_done     = fraction_done;
+    done.stepped_parameter = load.parameter;
+    done.stepped_value     = value;
+    done.iterations        = iterations;
+    done.quantities        = model.quantities();
+    if (model.stability())
+      done.quantities.emplace_back("negative_eigenvalues", model.stability()->negative_eigenvalues);
+    observer.on_step(done);
+    result.quantities = model.quantities();
+  };
+  JumpDetector jumps(load.parameter);
+  int suspected_jumps = 0;
+  // A jump is believed after a few attempts with shorter steps, and reported.
+  constexpr int attempts_before_a_jump_counts = 4;
+  const auto left_the_branch = [&](const SurfaceScene &scene, const double value, const SurfaceState &before)
+  {
+    if (!jumps.has_jumped(model, scene, value))
+      suspected_jumps = 0;
+    else if (++suspected_jumps < attempts_before_a_jump_counts)
+    {
+      model.go_to(before);
+      return true;
+    }
+    else
+    {
+      suspected_jumps = 0;
+      result.warnings.push_back(
+          "Just before " + load.parameter + " = " + exact_text(value) +
+          " the branch of equilibria ends (a fold): the state has jumped to another branch. Section "
+          "Continuation passes folds without a jump.");
+      observer.on_message(result.warnings.back());
+    }
+    jumps.accept(model, scene, value);
+    return false;
+  };
   const auto attempt = [&](const double t)
   {
-    const int step     = result.newton.steps;
-    const double value = stepping ? from + t * (to - from) : step;
+    const int step            = result.newton.steps;
+    const double value        = stepping ? from + t * (to - from) : step;
+    const SurfaceState before = model.equilibrium().state();
     if (stepping && t > 0.)
     {
       file.set(load.parameter, value, "Load step " + std::to_string(step));
@@ -166,19 +236,15 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
       failure = outcome.failure;
       return false;
     }
+    if (stepping && left_the_branch(file.read(), value, before))
+    {
+      failure = "the state found is on another branch";
+      return false;
+    }
     result.warnings.insert(result.warnings.end(), outcome.warnings.begin(), outcome.warnings.end());
     for (const std::string &warning : outcome.warnings)
       observer.on_message(warning);
-
-    StepReport report;
-    report.step              = step;
-    report.fraction_done     = stepping ? t : 1.;
-    report.stepped_parameter = load.parameter;
-    report.stepped_value     = value;
-    report.iterations        = outcome.iterations;
-    report.quantities        = model.quantities();
-    observer.on_step(report);
-    result.quantities = report.quantities;
+    report(step, stepping ? t : 1., value, outcome.iterations);
     sink(model, step, value);
     ++result.newton.steps;
     return true;
@@ -208,6 +274,8 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
                      " on the way to " + exact_text(to) + " (" + without_full_stop(failure) +
                      "). There may be no equilibrium nearby beyond it (a fold); a finer mesh or a smaller "
                      "Load/Smallest step may help.";
+  if (result.status == RunStatus::converged && !first.branch.parameter.empty())
+    run_branch(file, first.branch, model, observer, sink, result);
   if (result.status == RunStatus::converged)
     warn_of_folds(model, result);
   if (result.status == RunStatus::failed && result.quantities.empty())
@@ -217,24 +285,7 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
     result.quantities = model.quantities();
     sink(model, 0, stepping ? from : 0.);
   }
-  result.effects.clear();
-  for (const auto &effect : first.effects)
-    result.effects.push_back(effect->name());
-  result.analyses = first.analyses;
-  result.n_cells  = model.n_cells();
-  result.degree   = model.mesh().degree;
-  for (const auto &[name, n] : model.unknown_counts())
-  {
-    result.unknowns.blocks.emplace_back(name, n);
-    result.unknowns.total += n;
-  }
-  if (const std::optional<Stability> &stability = model.stability())
-  {
-    result.stability                       = StabilityCounts{};
-    result.stability->negative_eigenvalues = stability->negative_eigenvalues;
-    for (const double eigenvalue : stability->lowest)
-      result.stability->lowest.push_back(eigenvalue * model.scales().of({1, -4}));
-  }
+  describe(first, model, result);
   return result;
 }
 } // namespace pellicle

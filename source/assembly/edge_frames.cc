@@ -2,6 +2,9 @@
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/discretization/refined_quads.h>
 
+#include <array>
+#include <vector>
+
 namespace pellicle
 {
 namespace
@@ -46,19 +49,5 @@ std::map<std::size_t, Vector3<double>> nodal_conormals(const SurfaceDiscretizati
   for (auto &[node, t] : conormals)
     t = normalised(cross(t, vector_at(normals, node)));
   return conormals;
-}
-
-void align_conormals(const SurfaceDiscretization &discretization, const NodalVectors &positions,
-                     NodalVectors &conormals)
-{
-  for (const auto &[node, t] : nodal_line_tangents(discretization, positions))
-  {
-    const Vector3<double> nu = vector_at(conormals, node);
-    if (norm(nu) == 0.)
-      continue;
-    const Vector3<double> aligned = normalised(nu - dot(nu, t) * t);
-    for (unsigned int c = 0; c < 3; ++c)
-      conormals[3 * node + c] = aligned[c];
-  }
 }
 } // namespace pellicle

@@ -2,6 +2,7 @@
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/assembly/nodal_chart.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/point_walk.h>
 #include <pellicle/discretization/refined_quads.h>
 
 #include <algorithm>
@@ -102,10 +103,24 @@ NodalChart conormal_chart(const SurfaceDiscretization &discretization, const Nod
     const Direction nu = vector_at(conormals, I);
     if (norm(nu) == 0.)
       continue;
-    chart.unit_vectors[I]   = {{nu[0], nu[1], nu[2]}};
-    const Direction turning = cross(t, nu);
-    append_column(chart.nodes[I], (1. / norm(turning)) * turning, false);
+    chart.unit_vectors[I]      = {{nu[0], nu[1], nu[2]}};
+    const Direction about_line = (1. / norm(cross(t, nu))) * cross(t, nu);
+    append_column(chart.nodes[I], about_line, false);
+    if (discretization.kind == SurfaceDiscretization::Kind::surface)
+      append_column(chart.nodes[I], cross(nu, about_line), false);
   }
+  return chart;
+}
+
+NodalChart edge_scalar_chart(const SurfaceDiscretization &discretization)
+{
+  NodalChart chart;
+  chart.nodes.resize(discretization.n_nodes);
+  if (discretization.kind == SurfaceDiscretization::Kind::surface)
+    for (const EdgeLoop &loop : discretization.edges)
+      for (const std::size_t node : loop.cell_nodes)
+        if (chart.nodes[node].count == 0)
+          append_column(chart.nodes[node], {1., 0., 0.}, false);
   return chart;
 }
 
@@ -119,24 +134,17 @@ NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const No
   const ShapeTables tables = make_tables_at(discretization.kind, discretization.degree, sites);
 
   NodalVectors normals(3 * discretization.n_nodes, 0.);
-  std::vector<double> inputs(std::size_t(tables.n_points) * 18);
-  for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
-  {
-    const std::size_t *nodes = discretization.cell_nodes.data() + cell * tables.n_nodes;
-    evaluate_field(tables, nodes, positions, 3, inputs.data());
-    for (unsigned int I = 0; I < tables.n_nodes; ++I)
-    {
-      const double *x = inputs.data() + 18 * I;
-      const Vector3<double> x1(x[3], x[4], x[5]);
-      // On a meridian x,2 = r e_y vanishes at the poles, its direction does not.
-      const Vector3<double> N = cross(x1, meridian ? Vector3<double>(0., 1., 0.) : Vector3<double>(x[6], x[7], x[8]));
-      for (unsigned int c = 0; c < 3; ++c)
-        normals[3 * nodes[I] + c] += N[c];
-    }
-  }
+  for_all_points(tables, discretization.cell_nodes, positions, 3,
+                 [&](const WalkPoint &x)
+                 {
+                   // On a meridian x,2 = r e_y vanishes at the poles, its direction does not.
+                   const Vector3<double> N = cross(x[1], meridian ? Vector3<double>(0., 1., 0.) : x[2]);
+                   for (unsigned int c = 0; c < 3; ++c)
+                     normals[3 * x.nodes[x.q] + c] += N[c];
+                 });
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
   {
-    const Vector3<double> sum(normals[3 * I], normals[3 * I + 1], normals[3 * I + 2]);
+    const Vector3<double> sum = vector_at(normals, I);
     Vector3<double> d;
     for (const Direction &e : admissible_directions(discretization, I))
       d += dot(sum, e) * e;
@@ -152,26 +160,19 @@ std::vector<double> nodal_areas(const SurfaceDiscretization &discretization, con
 {
   std::vector<double> areas(discretization.n_nodes, 0.);
   const ShapeTables &tables = discretization.tables;
-  std::vector<double> inputs(std::size_t(tables.n_points) * 18);
   double total = 0., sum = 0.;
-  for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
-  {
-    const std::size_t *nodes = discretization.cell_nodes.data() + cell * tables.n_nodes;
-    evaluate_field(tables, nodes, positions, 3, inputs.data());
-    for (unsigned int q = 0; q < tables.n_points; ++q)
-    {
-      const double *x = inputs.data() + 18 * q;
-      const double dA =
-          tables.weights[q] * norm(cross(Vector3<double>(x[3], x[4], x[5]), Vector3<double>(x[6], x[7], x[8])));
-      total += dA;
-      for (unsigned int I = 0; I < tables.n_nodes; ++I)
-      {
-        const double N = tables.tables[0][std::size_t(q) * tables.n_nodes + I];
-        areas[nodes[I]] += N * N * dA;
-        sum += N * N * dA;
-      }
-    }
-  }
+  for_all_points(tables, discretization.cell_nodes, positions, 3,
+                 [&](const WalkPoint &x)
+                 {
+                   const double dA = x.area();
+                   total += dA;
+                   for (unsigned int I = 0; I < tables.n_nodes; ++I)
+                   {
+                     const double N = tables.tables[0][std::size_t(x.q) * tables.n_nodes + I];
+                     areas[x.nodes[I]] += N * N * dA;
+                     sum += N * N * dA;
+                   }
+                 });
   for (double &area : areas)
     area *= total / sum;
   return areas;

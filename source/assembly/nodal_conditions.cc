@@ -28,5 +28,11 @@ void apply_conditions(const NodalConditions &conditions, const std::string &fiel
           node.columns[3 * j + c] = these.only[I]->columns[j][c];
       chart.nodes[I] = node;
     }
+  for (std::size_t I = 0; I < these.leader.size(); ++I)
+  {
+    chart.nodes[I] = chart.nodes[these.leader[I]];
+    if (!chart.unit_vectors.empty())
+      chart.unit_vectors[I] = chart.unit_vectors[these.leader[I]];
+  }
 }
 } // namespace pellicle

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/position_mass.h>
+#include <pellicle/discretization/point_walk.h>
 
+#include <algorithm>
 #include <map>
+#include <vector>
 
 namespace pellicle
 {
@@ -11,18 +14,15 @@ SparseMatrix position_mass(const SurfaceDiscretization &discretization, const No
   const ShapeTables &tables = discretization.tables;
   const unsigned int n      = tables.n_nodes;
   std::vector<std::map<int, double>> rows(numbering.size());
-  std::vector<double> inputs(std::size_t(tables.n_points) * 18), cell_mass(std::size_t(n) * n);
-  for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
+  std::vector<double> cell_mass(std::size_t(n) * n);
+  const auto add_cell = [&](const WalkCell &cell)
   {
-    const std::size_t *nodes = discretization.cell_nodes.data() + cell * n;
-    evaluate_field(tables, nodes, positions, 3, inputs.data());
+    const std::size_t *const nodes = cell.nodes;
     std::fill(cell_mass.begin(), cell_mass.end(), 0.);
     for (unsigned int q = 0; q < tables.n_points; ++q)
     {
-      const double *x = inputs.data() + 18 * q;
       const double *N = tables.tables[0].data() + std::size_t(q) * n;
-      const double dA =
-          tables.weights[q] * norm(cross(Vector3<double>(x[3], x[4], x[5]), Vector3<double>(x[6], x[7], x[8])));
+      const double dA = cell[q].area();
       for (unsigned int I = 0; I < n; ++I)
         for (unsigned int J = 0; J < n; ++J)
           cell_mass[I * n + J] += dA * N[I] * N[J];
@@ -43,7 +43,8 @@ SparseMatrix position_mass(const SurfaceDiscretization &discretization, const No
               product += Z_I[3 * a + c] * Z_J[3 * b + c];
             rows[row][column] += cell_mass[I * n + J] * product;
           }
-  }
+  };
+  for_all_cells(tables, discretization.cell_nodes, positions, 3, add_cell);
   SparseMatrix mass;
   mass.size     = static_cast<int>(numbering.size());
   mass.symmetry = MatrixSymmetry::symmetric;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/base/expression.h>
 #include <pellicle/base/text.h>
@@ -37,7 +38,7 @@ double expression(const std::string &text)
   try
   {
     mu::Parser parser;
-    parser.DefineConst("pi", 3.14159265358979323846);
+    parser.DefineConst("pi", pi);
     parser.SetExpr(text);
     const double value = parser.Eval();
     if (parser.GetNumResults() != 1)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/discretization/balanced_disc.h>
 
 #include <boost/math/special_functions/cos_pi.hpp>
@@ -10,7 +11,6 @@ namespace pellicle
 {
 namespace
 {
-constexpr double pi = 3.141592653589793;
 /// Radii of the middle of a side of the block and of its corners: cells of about equal areas, and corners that share
 /// the full angle with their two outer neighbours.
 constexpr double side_radius = 0.528, corner_radius = 0.641;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/discretization/smooth_shape.h>
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -9,7 +10,6 @@ namespace
 {
 // Coefficients of the outline in powers of sin^2 p; radius of the rim 1.
 constexpr double c0 = 0.1242, c1 = 0.8012, c2 = -0.4492;
-constexpr double pi = 3.141592653589793;
 } // namespace
 
 SmoothShape biconcave()

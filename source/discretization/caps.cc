@@ -2,6 +2,7 @@
 // A spherical cap and its limit, the flat disc.
 #include "meridian_line.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/balanced_disc.h>
@@ -14,8 +15,6 @@ namespace pellicle
 {
 namespace
 {
-constexpr double pi = 3.141592653589793;
-
 /** Outline of a cap by the polar angle, as a fraction rho of the rim's: (r, z) with the rim in z = 0. */
 class CapOutline
 {

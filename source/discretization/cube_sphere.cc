@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/discretization/builders.h>
 #include <pellicle/discretization/refined_quads.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pellicle
 {
@@ -118,7 +120,7 @@ SurfaceDiscretization on_cube_sphere(const SmoothShape &shape, const unsigned in
   result.mesh_reference = result.positions;
   if (shape.even_mesh == SmoothShape::EvenMesh::sphere)
   {
-    const double radius = std::sqrt(shape.area / (4. * 3.141592653589793));
+    const double radius = std::sqrt(shape.area / (4. * pi));
     result.mesh_reference =
         place_nodes(mesh, degree, [&](const PatchPoint &site) { return radius * direction(site); }).positions;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/edge_loops.h>
+#include <pellicle/discretization/point_walk.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -8,12 +9,6 @@ namespace pellicle
 {
 namespace
 {
-Vector3<double> slot(const std::vector<double> &inputs, const unsigned int q, const unsigned int s)
-{
-  const double *const v = &inputs[(std::size_t(q) * 6 + s) * 3];
-  return {v[0], v[1], v[2]};
-}
-
 /** The cell's shape functions along one of its sides, at Gauss points in the direction that has the cell on its left.
  */
 ShapeTables side_tables(const unsigned int degree, const unsigned int n_points, const unsigned int side)
@@ -33,23 +28,18 @@ std::vector<Vector3<double>> conormal_of_circle(const SurfaceDiscretization &mer
                                                 const NodalVectors &positions)
 {
   const ShapeTables tables = make_tables_at(meridian.kind, meridian.degree, {{{at.side == 1 ? 1. : 0., 0.}}});
-  std::vector<double> inputs(18);
-  evaluate_field(tables, &meridian.cell_nodes[at.cell * meridian.n_local()], positions, 2, inputs.data());
-  const Vector3<double> along = slot(inputs, 0, 1);
+  double x[18];
+  evaluate_field(tables, &meridian.cell_nodes[at.cell * meridian.n_local()], positions, 2, x);
+  const Vector3<double> along(x[3], x[4], x[5]);
   return {(at.side == 1 ? 1. : -1.) / norm(along) * along};
 }
 } // namespace
 
 double loop_length(const EdgeLoop &loop, const NodalVectors &positions)
 {
-  std::vector<double> inputs(std::size_t(loop.tables.n_points) * 18);
   double length = 0.;
-  for (std::size_t c = 0; c < loop.n_cells; ++c)
-  {
-    evaluate_field(loop.tables, &loop.cell_nodes[c * loop.tables.n_nodes], positions, 2, inputs.data());
-    for (unsigned int q = 0; q < loop.tables.n_points; ++q)
-      length += loop.tables.weights[q] * norm(slot(inputs, q, 1));
-  }
+  for_all_points(loop.tables, loop.cell_nodes, positions, 2,
+                 [&](const WalkPoint &x) { length += x.weight * norm(x[1]); });
   return length;
 }
 
@@ -69,10 +59,11 @@ std::vector<Vector3<double>> conormals(const SurfaceDiscretization &surface, con
   std::vector<double> inputs(std::size_t(n_points) * 18);
   for (const CellSide &at : loop.sides)
   {
-    evaluate_field(tables[at.side], &surface.cell_nodes[at.cell * surface.n_local()], positions, 3, inputs.data());
+    const WalkCell cell{at.cell, &surface.cell_nodes[at.cell * surface.n_local()], tables[at.side], inputs.data()};
+    evaluate_field(cell.tables, cell.nodes, positions, 3, inputs.data());
     for (unsigned int q = 0; q < n_points; ++q)
     {
-      const Vector3<double> a1 = slot(inputs, q, 1), a2 = slot(inputs, q, 2);
+      const Vector3<double> a1 = cell[q][1], a2 = cell[q][2];
       const Vector3<double> along = (at.side < 2 ? 1. : -1.) * (at.side % 2 == 0 ? a1 : a2);
       const Vector3<double> out   = cross(along, cross(a1, a2));
       result.push_back(out / norm(out));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/smooth_shape.h>
@@ -8,14 +9,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace pellicle
 {
 namespace
 {
-constexpr double pi = 3.141592653589793;
-
 SmoothShape stretched_sphere(const std::array<double, 3> &axes, const double area)
 {
   SmoothShape shape;

@@ -2,6 +2,7 @@
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/builders.h>
+#include <pellicle/discretization/point_walk.h>
 #include <pellicle/discretization/polygon_mesh.h>
 #include <pellicle/discretization/rounding.h>
 #include <pellicle/discretization/surface_quality.h>
@@ -17,23 +18,21 @@ namespace
 void check_folds(const RefinedQuads &mesh, const RoundedSurface &rounded, const SurfaceDiscretization &surface,
                  const std::string &file)
 {
-  std::vector<double> inputs(std::size_t(surface.tables.n_points) * 18);
-  for (std::size_t cell = 0; cell < mesh.n_cells; ++cell)
+  const auto check_cell = [&](const WalkCell &cell)
   {
     Vector3<double> outwards;
-    for (const unsigned int corner : mesh.patches[mesh.cell_patch[cell]])
+    for (const unsigned int corner : mesh.patches[mesh.cell_patch[cell.number]])
       outwards += rounded.normals[corner];
-    evaluate_field(surface.tables, &surface.cell_nodes[cell * surface.n_local()], surface.positions, 3, inputs.data());
     for (unsigned int q = 0; q < surface.tables.n_points; ++q)
     {
-      const double *const x = &inputs[std::size_t(q) * 18];
-      const Vector3<double> a1(x[3], x[4], x[5]), a2(x[6], x[7], x[8]);
-      if (!(dot(cross(a1, a2), outwards) > 0.))
+      const Vector3<double> x = cell[q][0];
+      if (!(dot(cross(cell[q][1], cell[q][2]), outwards) > 0.))
         throw UserError(file + ": the surface folds over when it is rounded near (" + exact_text(x[0]) + ", " +
                         exact_text(x[1]) + ", " + exact_text(x[2]) +
                         "): the facets there are too coarse or too distorted. Refine or repair the mesh.");
     }
-  }
+  };
+  for_all_cells(surface.tables, surface.cell_nodes, surface.positions, 3, check_cell);
 }
 } // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "meridian_line.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/builders.h>
 
@@ -28,7 +29,7 @@ SurfaceDiscretization on_meridian(const SmoothShape &shape, const unsigned int d
   result.mesh_reference = result.positions;
   if (shape.even_mesh == SmoothShape::EvenMesh::sphere)
   {
-    const double radius = std::sqrt(shape.area / (4. * 3.141592653589793));
+    const double radius = std::sqrt(shape.area / (4. * pi));
     result.mesh_reference =
         meridian_line(degree, n_cells, mirror, [&](const double t) { return radius * direction(t); }).positions;
   }

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "polar_area.h"
+#include "turned.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
 
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/special_functions/cos_pi.hpp>
-#include <boost/math/special_functions/sin_pi.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace pellicle
 {
 namespace
 {
-constexpr double pi               = 3.141592653589793;
 constexpr unsigned int n_panels   = 16;
 constexpr unsigned int n_azimuths = 128; ///< the trapezoidal rule converges exponentially in a periodic direction
 using PanelRule                   = boost::math::quadrature::gauss<double, 15>;
@@ -61,8 +61,7 @@ double strip_area(const SmoothShape &shape, const double a, const double b)
 
 Vector3<double> sphere_point(const double polar, const double azimuth_over_pi)
 {
-  const double sine = std::sin(polar);
-  return {sine * boost::math::cos_pi(azimuth_over_pi), sine * boost::math::sin_pi(azimuth_over_pi), std::cos(polar)};
+  return turned(std::sin(polar), azimuth_over_pi, std::cos(polar));
 }
 
 double polar_angle_of_area(const SmoothShape &shape, const double fraction)

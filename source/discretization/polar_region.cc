@@ -3,6 +3,7 @@
 #include "meridian_line.h"
 #include "polar_area.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/discretization/balanced_disc.h>
 #include <pellicle/discretization/builders.h>
 #include <pellicle/discretization/edge_loops.h>
@@ -14,8 +15,6 @@ namespace pellicle
 {
 namespace
 {
-constexpr double pi = 3.141592653589793;
-
 const std::vector<std::string> names = {"membrane", "domain"};
 constexpr unsigned int domain        = 1;
 const std::string boundary_name      = "domain boundary";

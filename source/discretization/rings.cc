@@ -2,35 +2,29 @@
 // Open surfaces with two rims: a tube and a flat ring.
 #include "graded_line.h"
 #include "meridian_line.h"
+#include "turned.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/builders.h>
 #include <pellicle/discretization/edge_loops.h>
 #include <pellicle/discretization/refined_quads.h>
 
-#include <boost/math/special_functions/cos_pi.hpp>
-#include <boost/math/special_functions/sin_pi.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pellicle
 {
 namespace
 {
-constexpr double pi              = 3.141592653589793;
 constexpr double greatest_growth = 3.; ///< of cells from one to the next
 
 bool is_positive(const double x)
 {
   return x > 0. && x < std::numeric_limits<double>::infinity();
-}
-
-Vector3<double> turned(const double r, const double azimuth_over_pi, const double z)
-{
-  return {r * boost::math::cos_pi(azimuth_over_pi), r * boost::math::sin_pi(azimuth_over_pi), z};
 }
 
 /** Band of n_across times n_around quadrilaterals; the first coordinate runs from the first rim to the second, the

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/surface_discretization.h>
 
@@ -11,7 +12,7 @@ namespace pellicle
 {
 namespace
 {
-constexpr double two_pi = 6.283185307179586;
+constexpr double two_pi = 2. * pi;
 constexpr std::array<double, 9> identity{{1., 0., 0., 0., 1., 0., 0., 0., 1.}};
 constexpr std::array<double, 9> in_plane{{1., 0., 0., 0., 0., 0., 0., 0., 1.}};      // diag(1, 0, 1)
 constexpr std::array<double, 9> radial_to_phi{{0., 0., 0., 1., 0., 0., 0., 0., 0.}}; // e_y e_x^T

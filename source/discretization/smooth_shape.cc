@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/smooth_shape.h>
 
@@ -8,7 +9,7 @@ namespace pellicle
 {
 double SmoothShape::reduced_volume() const
 {
-  const double four_pi = 4. * 3.141592653589793;
+  const double four_pi = 4. * pi;
   return 3. * volume / (four_pi * std::pow(area / four_pi, 1.5));
 }
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "turned.h"
+
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/builders.h>
@@ -18,10 +21,7 @@ namespace
 /** Angles in units of pi: `major` about the z axis, `minor` about the tube's centre line, from its outside upwards. */
 Vector3<double> torus_point(const double R, const double r, const double major, const double minor)
 {
-  using boost::math::cos_pi;
-  using boost::math::sin_pi;
-  const double rho = R + r * cos_pi(minor);
-  return {rho * cos_pi(major), rho * sin_pi(major), r * sin_pi(minor)};
+  return turned(R + r * boost::math::cos_pi(minor), major, r * boost::math::sin_pi(minor));
 }
 } // namespace
 
@@ -31,7 +31,6 @@ SurfaceDiscretization torus(const double ratio, const double area, const unsigne
   if (!(ratio > 1. && ratio < std::numeric_limits<double>::infinity()))
     throw UserError("Torus ratio = " + exact_text(ratio) +
                     ": R/r must be a number > 1, or the torus would touch itself (1.41421 is Clifford's).");
-  const double pi = 3.141592653589793;
   const double r = std::sqrt(area / (4. * pi * pi * ratio)), R = ratio * r;
 
   // The centre line is `ratio` times as long as the tube's circumference. Three cells are the fewest of a periodic

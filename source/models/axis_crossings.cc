@@ -3,9 +3,11 @@
 #include <pellicle/models/axis_crossings.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace pellicle
 {

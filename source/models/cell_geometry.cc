@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/point_walk.h>
 #include <pellicle/models/cell_geometry.h>
 
 #include <deal.II/base/quadrature_lib.h>
+
+#include <array>
+#include <vector>
 
 namespace pellicle
 {
@@ -18,14 +22,8 @@ CellGeometry::CellGeometry(const SurfaceDiscretization &discretization, const No
   for (unsigned int i = 0; i < n_samples(); ++i)
     points[i] = sample_coordinates(i);
   const ShapeTables tables = make_tables_at(surface.kind, surface.degree, points);
-  std::vector<double> inputs(std::size_t(tables.n_points) * 18);
   samples.reserve(n_cells() * n_samples());
-  for (std::size_t cell = 0; cell < n_cells(); ++cell)
-  {
-    evaluate_field(tables, &surface.cell_nodes[cell * surface.n_local()], positions, 1, inputs.data());
-    for (unsigned int i = 0; i < n_samples(); ++i)
-      samples.emplace_back(inputs[18 * i], inputs[18 * i + 1], inputs[18 * i + 2]);
-  }
+  for_all_points(tables, surface.cell_nodes, positions, 1, [&](const WalkPoint &x) { samples.push_back(x[0]); });
 }
 
 std::array<double, 2> CellGeometry::sample_coordinates(const unsigned int sample) const

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/point_walk.h>
+#include <pellicle/discretization/split_line.h>
 #include <pellicle/models/edge_conditions.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace pellicle
 {
 namespace
 {
-constexpr double half_pi = 1.5707963267948966;
-
 const EdgeLoop &loop_named(const SurfaceDiscretization &discretization, const std::string &name)
 {
   const auto &edges = discretization.edges;
@@ -35,25 +40,34 @@ AdmissibleDirections along_z()
   return directions;
 }
 
+/** One node moves as another one. */
+void follow(FieldConditions &conditions, const SurfaceDiscretization &discretization, const std::size_t follower,
+            const std::size_t leader)
+{
+  if (conditions.leader.empty())
+  {
+    conditions.leader.resize(discretization.n_nodes);
+    std::iota(conditions.leader.begin(), conditions.leader.end(), 0);
+  }
+  conditions.leader[follower] = leader;
+}
+
 /** All nodes of a loop move as its first one. */
 void tie(FieldConditions &conditions, const SurfaceDiscretization &discretization, const EdgeLoop &loop)
 {
-  conditions.leader.resize(discretization.n_nodes);
-  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
-    conditions.leader[I] = I;
   for (const std::size_t node : loop.cell_nodes)
-    conditions.leader[node] = loop.cell_nodes.front();
+    follow(conditions, discretization, node, loop.cell_nodes.front());
 }
 
 /** Elevation of a rim's conormal above the horizontal plane. */
 double elevation(const EdgeLoop &loop, const StartShape &shape)
 {
   if (loop.name == "tip")
-    return 2. * half_pi; // inwards
+    return pi; // inwards
   if (loop.name == "upper rim")
-    return half_pi;
+    return 0.5 * pi;
   if (loop.name == "lower rim")
-    return -half_pi;
+    return -0.5 * pi;
   return shape.name == "cap" ? -shape.cap_angle : 0.;
 }
 } // namespace
@@ -61,12 +75,25 @@ double elevation(const EdgeLoop &loop, const StartShape &shape)
 NodalConditions edge_conditions(const SurfaceDiscretization &discretization, const SceneTargets &targets)
 {
   NodalConditions conditions;
+  const auto has_conormals = [&](const EdgeLoop &loop)
+  {
+    FieldConditions &conormals = conditions["edge conormal"];
+    if (conormals.only.empty())
+      conormals.only.assign(discretization.n_nodes, held());
+    set_all(conormals, discretization, loop, std::nullopt);
+    // Its multiplier lives on one side of a split line only, that of the potential.
+    if (loop.name != far_side("domain boundary"))
+      conditions["edge multiplier"].only = conormals.only;
+  };
   for (const SceneEdge &edge : targets.edges)
   {
-    if (edge.support == EdgeSupport::inner)
+    const EdgeLoop &loop = loop_named(discretization, edge.name);
+    if (edge.support == EdgeSupport::inner || edge.support == EdgeSupport::far_side)
+    {
+      if (targets.gaussian_difference != 0.)
+        has_conormals(loop);
       continue;
-    const EdgeLoop &loop    = loop_named(discretization, edge.name);
-    const bool has_conormal = edge.support != EdgeSupport::clamped && targets.gaussian_modulus != 0.;
+    }
     if (edge.name == "tip")
     {
       set_all(conditions["position"], discretization, loop, along_z());
@@ -74,35 +101,31 @@ NodalConditions edge_conditions(const SurfaceDiscretization &discretization, con
     }
     else if (edge.support != EdgeSupport::free)
       set_all(conditions["position"], discretization, loop, held());
-    if (edge.support != EdgeSupport::clamped && !has_conormal)
+    if (edge.support == EdgeSupport::clamped)
+      continue;
+    if (targets.gaussian_modulus != 0.)
+      has_conormals(loop);
+    else
       set_all(conditions["moment"], discretization, loop, held());
-    if (has_conormal)
-    {
-      FieldConditions &conormals = conditions["edge conormal"];
-      if (conormals.only.empty())
-        conormals.only.assign(discretization.n_nodes, held());
-      set_all(conormals, discretization, loop, std::nullopt);
-    }
   }
+  // Both sides of a split line are at the same place and have the same conormal; their moments are their own.
+  for (const auto &[copy, original] : discretization.twins)
+    for (const char *field : {"position", "edge conormal"})
+      follow(conditions[field], discretization, copy, original);
   return conditions;
 }
 
 std::vector<Vector3<double>> start_conormals(const SurfaceDiscretization &discretization, const EdgeLoop &loop,
                                              const StartShape &shape)
 {
-  const double b            = elevation(loop, shape);
-  const ShapeTables &tables = loop.tables;
+  const double b = elevation(loop, shape);
   std::vector<Vector3<double>> result;
-  std::vector<double> inputs(std::size_t(tables.n_points) * 18);
-  for (std::size_t edge = 0; edge < loop.n_cells; ++edge)
+  const auto add = [&](const WalkPoint &point)
   {
-    evaluate_field(tables, loop.cell_nodes.data() + edge * tables.n_nodes, discretization.positions, 1, inputs.data());
-    for (unsigned int q = 0; q < tables.n_points; ++q)
-    {
-      const double x = inputs[18 * q], y = inputs[18 * q + 1], r = std::hypot(x, y);
-      result.emplace_back(std::cos(b) * x / r, std::cos(b) * y / r, std::sin(b));
-    }
-  }
+    const double x = point[0][0], y = point[0][1], r = std::hypot(x, y);
+    result.emplace_back(std::cos(b) * x / r, std::cos(b) * y / r, std::sin(b));
+  };
+  for_all_points(loop.tables, loop.cell_nodes, discretization.positions, 1, add);
   return result;
 }
 } // namespace pellicle

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pellicle/assembly/edge_frames.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/models/internal_elimination.h>
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace pellicle
 {
@@ -20,6 +21,7 @@ NodalChart chart_of_internal_field(const SurfaceDiscretization &discretization, 
                                    const NodalConditions &conditions)
 {
   NodalChart chart = field.space == FieldSpace::edge_conormals ? conormal_chart(discretization, positions, values)
+                     : field.space == FieldSpace::edge_scalars ? edge_scalar_chart(discretization)
                                                                : free_chart(discretization);
   apply_conditions(conditions, field.name, chart);
   return chart;
@@ -81,10 +83,7 @@ bool InternalElimination::solve(const PotentialSet &set, const std::vector<doubl
   bool has_unit_vectors = false;
   for (std::size_t f = 0; f < layout.fields().size(); ++f)
     if (layout.fields()[f].space == FieldSpace::edge_conormals)
-    {
       has_unit_vectors = true;
-      align_conormals(discretization, values[0], values[f]);
-    }
   for (int iteration = 0; iteration < max_iterations; ++iteration)
   {
     if (has_unit_vectors)

@@ -2,8 +2,10 @@
 #include <pellicle/models/largest_value.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace pellicle
 {

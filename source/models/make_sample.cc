@@ -6,6 +6,8 @@
 #include <boost/math/special_functions/sin_pi.hpp>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 namespace pellicle
 {

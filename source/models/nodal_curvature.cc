@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/point_walk.h>
 #include <pellicle/kinematics/surface_point.h>
 #include <pellicle/models/nodal_curvature.h>
 
@@ -7,49 +8,13 @@
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 namespace pellicle
 {
 namespace
 {
-/** The geometry at every quadrature point, cell after cell. */
-class PointWalk
-{
-public:
-  PointWalk(const SurfaceDiscretization &discretization, const NodalVectors &positions)
-      : surface(discretization)
-      , values(positions)
-      , inputs(std::size_t(discretization.tables.n_points) * 18)
-  {
-  }
-
-  /** visit(cell's nodes, number of the point, weight, geometry at the point). */
-  template <typename Visit>
-  void for_all_points(const Visit &visit)
-  {
-    const ShapeTables &tables = surface.tables;
-    for (std::size_t cell = 0; cell < surface.n_cells; ++cell)
-    {
-      const std::size_t *const nodes = &surface.cell_nodes[cell * tables.n_nodes];
-      evaluate_field(tables, nodes, values, 6, inputs.data());
-      for (unsigned int q = 0; q < tables.n_points; ++q)
-        visit(nodes, q, tables.weights[q],
-              SurfacePoint<double>(slot(q, 1), slot(q, 2), slot(q, 3), slot(q, 4), slot(q, 5)));
-    }
-  }
-
-private:
-  Vector3<double> slot(const unsigned int q, const unsigned int s) const
-  {
-    const double *const v = &inputs[18 * q + 3 * s];
-    return {v[0], v[1], v[2]};
-  }
-
-  const SurfaceDiscretization &surface;
-  const NodalVectors &values;
-  std::vector<double> inputs;
-};
-
 struct WeakForms
 {
   Eigen::SparseMatrix<double> mass; ///< scalar
@@ -76,33 +41,35 @@ WeakForms assemble(const SurfaceDiscretization &discretization, const NodalVecto
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<double> cell_mass(std::size_t(n) * n);
   entries.reserve(discretization.n_cells * cell_mass.size());
-  PointWalk(discretization, positions)
-      .for_all_points(
-          [&](const std::size_t *const nodes, const unsigned int q, const double weight,
-              const SurfacePoint<double> &point)
-          {
-            const double dA = weight * point.jacobian;
-            for (unsigned int I = 0; I < n; ++I)
-            {
-              const auto row     = [&](const unsigned int slot) { return tables.tables[slot][std::size_t(q) * n + I]; };
-              const double value = row(0);
-              for (unsigned int J = 0; J < n; ++J)
-                cell_mass[I * n + J] += dA * value * tables.tables[0][std::size_t(q) * n + J];
-              for (unsigned int b = 0; b < 2; ++b)
-              {
-                const Vector3<double> at_node = (dA * row(1 + b)) * transposed_times(tables.map[1 + b], point.dual[b]);
-                for (unsigned int c = 0; c < 3; ++c)
-                  forms.laplacian(nodes[I], c) += at_node[c];
-              }
-              forms.gauss[nodes[I]] += dA * point.gauss_curvature * value;
-            }
-            if (q + 1 < tables.n_points)
-              return;
-            for (unsigned int I = 0; I < n; ++I)
-              for (unsigned int J = 0; J < n; ++J)
-                entries.emplace_back(nodes[I], nodes[J], cell_mass[I * n + J]);
-            std::fill(cell_mass.begin(), cell_mass.end(), 0.);
-          });
+  const auto add_cell = [&](const WalkCell &cell)
+  {
+    const std::size_t *const nodes = cell.nodes;
+    std::fill(cell_mass.begin(), cell_mass.end(), 0.);
+    for (unsigned int q = 0; q < tables.n_points; ++q)
+    {
+      const WalkPoint x = cell[q];
+      const SurfacePoint<double> point(x[1], x[2], x[3], x[4], x[5]);
+      const double dA = x.weight * point.jacobian;
+      for (unsigned int I = 0; I < n; ++I)
+      {
+        const auto row     = [&](const unsigned int slot) { return tables.tables[slot][std::size_t(q) * n + I]; };
+        const double value = row(0);
+        for (unsigned int J = 0; J < n; ++J)
+          cell_mass[I * n + J] += dA * value * tables.tables[0][std::size_t(q) * n + J];
+        for (unsigned int b = 0; b < 2; ++b)
+        {
+          const Vector3<double> at_node = (dA * row(1 + b)) * transposed_times(tables.map[1 + b], point.dual[b]);
+          for (unsigned int c = 0; c < 3; ++c)
+            forms.laplacian(nodes[I], c) += at_node[c];
+        }
+        forms.gauss[nodes[I]] += dA * point.gauss_curvature * value;
+      }
+    }
+    for (unsigned int I = 0; I < n; ++I)
+      for (unsigned int J = 0; J < n; ++J)
+        entries.emplace_back(nodes[I], nodes[J], cell_mass[I * n + J]);
+  };
+  for_all_cells(tables, discretization.cell_nodes, positions, 6, add_cell);
   forms.mass.setFromTriplets(entries.begin(), entries.end());
   return forms;
 }
@@ -161,18 +128,16 @@ Eigen::VectorXd normal_part(const SurfaceDiscretization &discretization, const N
   const ShapeTables &tables = discretization.tables;
   std::vector<double> h(std::size_t(tables.n_points) * 18);
   Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(discretization.n_nodes));
-  PointWalk(discretization, positions)
-      .for_all_points(
-          [&](const std::size_t *const nodes, const unsigned int q, const double weight,
-              const SurfacePoint<double> &point)
-          {
-            if (q == 0)
-              evaluate_field(tables, nodes, curvature_vector, 1, h.data());
-            const double *const at = &h[18 * q];
-            const double half      = 0.5 * weight * dot(Vector3<double>(at[0], at[1], at[2]), point.area_vector);
-            for (unsigned int I = 0; I < tables.n_nodes; ++I)
-              result[nodes[I]] += half * tables.tables[0][std::size_t(q) * tables.n_nodes + I];
-          });
+  const auto add         = [&](const WalkPoint &x)
+  {
+    if (x.q == 0)
+      evaluate_field(tables, x.nodes, curvature_vector, 1, h.data());
+    const double *const at = &h[18 * x.q];
+    const double half      = 0.5 * x.weight * dot(Vector3<double>(at[0], at[1], at[2]), cross(x[1], x[2]));
+    for (unsigned int I = 0; I < tables.n_nodes; ++I)
+      result[x.nodes[I]] += half * tables.tables[0][std::size_t(x.q) * tables.n_nodes + I];
+  };
+  for_all_points(tables, discretization.cell_nodes, positions, 3, add);
   return result;
 }
 } // namespace

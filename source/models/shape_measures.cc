@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/point_walk.h>
 #include <pellicle/discretization/surface_quality.h>
 #include <pellicle/kinematics/surface_point.h>
 #include <pellicle/models/axis_crossings.h>
@@ -12,8 +14,6 @@ namespace pellicle
 {
 namespace
 {
-constexpr double pi = 3.141592653589793;
-
 struct Integrals
 {
   double area      = 0.;
@@ -23,26 +23,16 @@ struct Integrals
 
 Integrals integrate(const SurfaceDiscretization &discretization, const NodalVectors &positions)
 {
-  const ShapeTables &tables = discretization.tables;
-  std::vector<double> inputs(std::size_t(tables.n_points) * 18);
   Integrals sum;
-  for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
-  {
-    evaluate_field(tables, &discretization.cell_nodes[cell * tables.n_nodes], positions, 6, inputs.data());
-    for (unsigned int q = 0; q < tables.n_points; ++q)
-    {
-      const auto slot = [&](const unsigned int s)
-      {
-        const double *const v = &inputs[18 * q + 3 * s];
-        return Vector3<double>(v[0], v[1], v[2]);
-      };
-      const SurfacePoint<double> point(slot(1), slot(2), slot(3), slot(4), slot(5));
-      const double dA = tables.weights[q] * point.jacobian;
-      sum.area += dA;
-      sum.curvature += dA * point.gauss_curvature;
-      sum.position += dA * slot(0);
-    }
-  }
+  for_all_points(discretization.tables, discretization.cell_nodes, positions, 6,
+                 [&](const WalkPoint &x)
+                 {
+                   const SurfacePoint<double> point(x[1], x[2], x[3], x[4], x[5]);
+                   const double dA = x.weight * point.jacobian;
+                   sum.area += dA;
+                   sum.curvature += dA * point.gauss_curvature;
+                   sum.position += dA * x[0];
+                 });
   return sum;
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/position_mass.h>
+#include <pellicle/base/exceptions.h>
 #include <pellicle/models/stability.h>
 #include <pellicle/solvers/eigenvalues.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pellicle
 {
@@ -37,8 +39,16 @@ std::optional<Stability> analyse_stability(SurfaceProblem &problem, LinearSolver
 
   constexpr double scale  = 1.; // of eigenvalues, internal units
   const SparseMatrix mass = position_mass(problem.discretization(), problem.state().fields[0], problem.numbering());
-  const Eigenpairs pairs =
-      lowest_eigenpairs(problem.matrix(), mass, solver, problem.expected_negative_pivots(), n_eigenvalues, scale);
+  Eigenpairs pairs;
+  try
+  {
+    pairs = lowest_eigenpairs(problem.matrix(), mass, solver, problem.expected_negative_pivots(), n_eigenvalues, scale);
+  }
+  catch (const SolveError &error)
+  {
+    result.failure = error.what(); // the count stands, and so does the equilibrium
+    return result;
+  }
   result.lowest = pairs.values;
   for (const std::vector<double> &vector : pairs.vectors)
   {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/split_line.h>
 #include <pellicle/discretization/surface_quality.h>
 #include <pellicle/models/edge_conditions.h>
 #include <pellicle/models/surface_model.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -21,7 +23,8 @@ std::array<double, 3> normalise(SurfaceDiscretization &discretization, const dou
   const bool meridian = discretization.kind == SurfaceDiscretization::Kind::meridian;
   for (unsigned int c = meridian ? 2 : 0; c < 3; ++c)
   {
-    if (discretization.mirror)
+    // An open surface has no volume of its own: that over its rim's plane, where it starts, must stay what it is.
+    if (discretization.mirror || !discretization.is_closed())
       continue;
     for (std::size_t I = 0; I < discretization.n_nodes; ++I)
       centre[c] += discretization.positions[3 * I + c] / static_cast<double>(discretization.n_nodes);
@@ -67,12 +70,14 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
   add_node_noise(scene.vesicle);
   set_blas_threads(newton.threads);
   take_from_mesh(scene);
-  PotentialSet potentials          = potentials_of(scene);
-  const NodalConditions conditions = edge_conditions(discretization, targets);
+  PotentialSet potentials = potentials_of(scene);
+  if (scene.splits_domain())
+    split = split_along(discretization, domain_boundary);
+  const NodalConditions conditions = edge_conditions(solved_mesh(), targets);
   // Held rims fix the surface in space; there are no rigid motions left.
-  if (const auto position = conditions.find("position"); position != conditions.end())
+  if (const auto position = conditions.find("position"); position != conditions.end() && !position->second.only.empty())
     discretization.rigid_motions.clear();
-  problem = std::make_unique<SurfaceProblem>(discretization, std::move(potentials), conditions, communicator,
+  problem = std::make_unique<SurfaceProblem>(solved_mesh(), std::move(potentials), conditions, communicator,
                                              newton.linear_solver, timing);
   solver  = make_linear_solver(newton.linear_solver);
   check_constraints_are_independent();
@@ -119,15 +124,15 @@ void SurfaceModel::check_constraints_are_independent()
   if (hard.size() < 2)
     return;
   const std::vector<NodalVectors> gradients = problem->nodal_forces().constraints;
-  const NodalVectors normals                = nodal_normals(discretization, discretization.positions);
-  std::vector<bool> on_edge(discretization.n_nodes, false);
-  for (const EdgeLoop &loop : discretization.edges)
+  const NodalVectors normals                = nodal_normals(solved_mesh(), solved_mesh().positions);
+  std::vector<bool> on_edge(solved_mesh().n_nodes, false);
+  for (const EdgeLoop &loop : solved_mesh().edges)
     for (const std::size_t node : loop.cell_nodes)
       on_edge[node] = true;
   const auto product = [&](const NodalVectors &a, const NodalVectors &b)
   {
     double sum = 0.;
-    for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+    for (std::size_t I = 0; I < solved_mesh().n_nodes; ++I)
     {
       double full = 0., a_n = 0., b_n = 0.;
       for (unsigned int c = 0; c < 3; ++c)
@@ -167,7 +172,8 @@ PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
   targets.reference            = reference;
   targets.euler_characteristic = euler_characteristic(discretization);
   for (SceneEdge &edge : targets.edges)
-    edge.conormals = conormals.at(edge.name);
+    if (const auto known = conormals.find(edge.name); known != conormals.end())
+      edge.conormals = known->second;
   return scene.potentials(unit, targets);
 }
 
@@ -195,8 +201,8 @@ void SurfaceModel::take_from_mesh(const SurfaceScene &scene)
 StepResult SurfaceModel::solve(const int step, Observer &observer)
 {
   const SurfaceState before         = problem->state();
-  const NodalVectors mesh_reference = newton.mesh_reference == "start shape" && !discretization.mesh_reference.empty()
-                                          ? discretization.mesh_reference
+  const NodalVectors mesh_reference = newton.mesh_reference == "start shape" && !solved_mesh().mesh_reference.empty()
+                                          ? solved_mesh().mesh_reference
                                           : before.fields[0];
   InUsersUnits energies(observer, unit);
   EquilibriumSearch search(newton, *problem, *solver, timing, mesh_reference, step, energies);
@@ -226,9 +232,11 @@ void SurfaceModel::look_at_stability(EquilibriumSearch &search)
     last_stability                 = analyse_stability(
                         *problem, *solver, static_cast<unsigned int>(std::max(stability_parameters.eigenvalues, follow ? 1 : 0)));
     problem->set_state(equilibrium);
+    if (last_stability && !last_stability->failure.empty())
+      search.warn("The lowest eigenvalues were not found: " + last_stability->failure);
     if (!last_stability || last_stability->negative_eigenvalues == 0)
       return;
-    if (!follow || descents == most_descents)
+    if (!follow || last_stability->modes.empty() || descents == most_descents)
     {
       search.warn("The equilibrium is unstable: " + std::to_string(last_stability->negative_eigenvalues) +
                   " negative eigenvalues of the second variation." +

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/point_walk.h>
 #include <pellicle/models/surface_problem.h>
 #include <pellicle/potentials/energies/mesh_distortion.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
 
 namespace pellicle
 {
@@ -19,25 +23,31 @@ constexpr double merit_penalty = 10.; // of squared constraint violations in the
 // the residual with.
 constexpr double smallest_forces = 1e-4;
 
-// w_I (t + r x x_I) for each rigid motion.
+// Integral of N_I (t + r x x) for each rigid motion: displacements that the gauge allows are orthogonal to it in L2,
+// and so are the modes of a stability analysis. (Positive weights of nodes would do for a gauge, but a mode of high
+// order would take up a rigid motion of order h^2.)
 std::vector<NodalVectors> weighted_rigid_motions(const SurfaceDiscretization &discretization,
-                                                 const NodalVectors &positions, const std::vector<double> &areas)
+                                                 const NodalVectors &positions)
 {
-  std::vector<NodalVectors> directions;
-  for (const RigidMotion &motion : discretization.rigid_motions)
+  const ShapeTables &tables = discretization.tables;
+  std::vector<NodalVectors> directions(discretization.rigid_motions.size(),
+                                       NodalVectors(3 * discretization.n_nodes, 0.));
+  const auto add = [&](const WalkPoint &x)
   {
-    NodalVectors direction(3 * discretization.n_nodes);
-    const Vector3<double> t(motion.translation[0], motion.translation[1], motion.translation[2]);
-    const Vector3<double> r(motion.rotation[0], motion.rotation[1], motion.rotation[2]);
-    for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+    const double dA = x.area();
+    for (std::size_t k = 0; k < directions.size(); ++k)
     {
-      const Vector3<double> v =
-          t + cross(r, Vector3<double>(positions[3 * I], positions[3 * I + 1], positions[3 * I + 2]));
-      for (unsigned int c = 0; c < 3; ++c)
-        direction[3 * I + c] = areas[I] * v[c];
+      const RigidMotion &motion = discretization.rigid_motions[k];
+      const Vector3<double> t(motion.translation[0], motion.translation[1], motion.translation[2]);
+      const Vector3<double> r(motion.rotation[0], motion.rotation[1], motion.rotation[2]);
+      const Vector3<double> v = t + cross(r, x[0]);
+      for (unsigned int I = 0; I < tables.n_nodes; ++I)
+        for (unsigned int c = 0; c < 3; ++c)
+          directions[k][3 * x.nodes[I] + c] += tables.tables[0][std::size_t(x.q) * tables.n_nodes + I] * dA * v[c];
     }
-    directions.push_back(std::move(direction));
-  }
+  };
+  if (!directions.empty())
+    for_all_points(tables, discretization.cell_nodes, positions, 3, add);
   return directions;
 }
 } // namespace
@@ -56,17 +66,10 @@ std::vector<ReferenceMetric> reference_metric(const SurfaceDiscretization &discr
   const ShapeTables &tables = discretization.tables;
   std::vector<ReferenceMetric> metric;
   metric.reserve(discretization.n_cells * tables.n_points);
-  std::vector<double> inputs(std::size_t(tables.n_points) * 18);
-  for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
-  {
-    evaluate_field(tables, discretization.cell_nodes.data() + cell * tables.n_nodes, positions, 3, inputs.data());
-    for (unsigned int q = 0; q < tables.n_points; ++q)
-    {
-      const double *x = inputs.data() + 18 * q;
-      const Vector3<double> x1(x[3], x[4], x[5]), x2(x[6], x[7], x[8]);
-      metric.push_back({dot(x1, x1), dot(x1, x2), dot(x2, x2)});
-    }
-  }
+  for_all_points(tables, discretization.cell_nodes, positions, 3,
+                 [&](const WalkPoint &x) {
+                   metric.push_back({dot(x[1], x[1]), dot(x[1], x[2]), dot(x[2], x[2])});
+                 });
   return metric;
 }
 
@@ -136,8 +139,10 @@ void SurfaceProblem::set_state(SurfaceState state)
 
 void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors &mesh_reference)
 {
+  // Reactions of another chart balance other forces.
+  if (chart != new_chart || current.rigid_reactions.size() != surface.rigid_motions.size())
+    current.rigid_reactions.assign(surface.rigid_motions.size(), 0.);
   chart = new_chart;
-  current.rigid_reactions.assign(surface.rigid_motions.size(), 0.);
   if (chart != PositionChart::material && !is_reparametrisation_invariant(set))
     throw UserError("Newton/Chart = ale and graph keep the nodes from following tangential forces, but a listed effect "
                     "acts tangentially (it refers to material points). Use Newton/Chart = automatic.");
@@ -179,7 +184,7 @@ std::vector<NodalChart> SurfaceProblem::charts_here() const
 void SurfaceProblem::renew_gauge()
 {
   node_areas       = nodal_areas(surface, current.fields[0]);
-  rigid_directions = weighted_rigid_motions(surface, current.fields[0], node_areas);
+  rigid_directions = weighted_rigid_motions(surface, current.fields[0]);
   moved_in_chart   = 0.;
 }
 
@@ -264,6 +269,51 @@ double SurfaceProblem::constraint_violation() const
     largest = std::max(largest, std::abs(constraint_residual(k, current_values, current.multipliers[k])) /
                                     std::max(1., std::abs(set.constraints[k].target)));
   return largest;
+}
+
+std::vector<double> SurfaceProblem::gradient_of(const PotentialSet &further) const
+{
+  const Timing::Scope scope(timing, "assembly");
+  std::vector<NodalVectors> gradients(field_layout.fields().size(), NodalVectors(3 * surface.n_nodes, 0.));
+  Assembler other(surface, field_layout, further, communicator, Assembler::everything(further, field_layout));
+  other.loop(further, current.fields, {}, Order::gradient,
+             [&](const Cell &cell, const Element &element, const auto &)
+             {
+               for (std::size_t f = 0; f < gradients.size(); ++f)
+                 for (unsigned int c = 0; c < 3; ++c)
+                   for (std::size_t i = 0; i < cell.n_nodes; ++i)
+                     gradients[f][3 * cell.nodes[i] + c] += element.gradient[(3 * f + c) * cell.n_nodes + i];
+             });
+  const Numbering &numbering = system->numbering();
+  std::vector<double> result(numbering.size(), 0.);
+  for (std::size_t f = 0; f < gradients.size(); ++f)
+  {
+    communicator.sum(gradients[f]);
+    system->restrict_vector(f, gradients[f], result);
+    for (std::size_t I = 0; I < numbering.charts[f].nodes.size(); ++I)
+      for (unsigned int a = 0; a < numbering.count(f, I); ++a)
+        if (numbering.charts[f].nodes[I].mesh_equation[a])
+          result[numbering.first_of(f, I) + a] = 0.;
+  }
+  return result;
+}
+
+double SurfaceProblem::value_of(const PotentialSet &further) const
+{
+  Assembler other(surface, field_layout, further, communicator, Assembler::everything(further, field_layout));
+  const std::vector<double> values = other.loop(further, current.fields, {}, Order::value).energies;
+  return std::accumulate(values.begin(), values.end(), 0.);
+}
+
+std::vector<double> SurfaceProblem::area_weights() const
+{
+  const Numbering &numbering = system->numbering();
+  std::vector<double> weights(numbering.size(), 0.);
+  for (std::size_t I = 0; I < surface.n_nodes; ++I)
+    for (unsigned int a = 0; a < numbering.count(0, I); ++a)
+      if (!numbering.charts[0].nodes[I].mesh_equation[a])
+        weights[numbering.first_of(0, I) + a] += node_areas[I];
+  return weights;
 }
 
 void SurfaceProblem::add_drag(const double zeta)
@@ -367,7 +417,7 @@ void SurfaceProblem::accept_trial()
   moved_in_chart += largest;
   current        = trial;
   current_values = trial_values;
-  if (moved_in_chart > chart_reach)
+  if (renews_chart && moved_in_chart > chart_reach)
   {
     system->set_charts(charts_here());
     renew_gauge();
@@ -380,12 +430,18 @@ double SurfaceProblem::displacement(const std::vector<double> &direction) const
   double largest          = 0.;
   for (std::size_t I = 0; I < surface.n_nodes; ++I)
   {
-    const double length =
-        std::sqrt(move[3 * I] * move[3 * I] + move[3 * I + 1] * move[3 * I + 1] + move[3 * I + 2] * move[3 * I + 2]);
+    const double length = norm(vector_at(move, I));
     if (!(length <= largest)) // keeps nan
       largest = length;
   }
   return largest;
+}
+
+std::vector<double> SurfaceProblem::direction_of(const NodalVectors &displacements) const
+{
+  std::vector<double> direction(system->numbering().size(), 0.);
+  system->restrict_vector(0, displacements, direction); // the columns of a node are orthonormal
+  return direction;
 }
 
 NodalVectors SurfaceProblem::displacements(const std::vector<double> &direction) const

@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What users read of a surface model: quantities and sampled fields, scaled back to their units.
+#include <pellicle/base/constants.h>
+#include <pellicle/discretization/edge_loops.h>
 #include <pellicle/models/make_sample.h>
+#include <pellicle/models/neck.h>
 #include <pellicle/models/nodal_curvature.h>
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_model.h>
+#include <pellicle/models/tether_measures.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace pellicle
 {
 namespace
 {
-constexpr double pi = 3.141592653589793;
-
 /** "surface tension" -> "surface_tension_energy". */
 std::string energy_quantity(const std::string &potential)
 {
@@ -60,6 +67,43 @@ std::vector<NamedQuantity> SurfaceModel::energies() const
   return list;
 }
 
+double SurfaceModel::potential_energy() const
+{
+  const PotentialSet &set  = problem->potentials();
+  const TermValues &values = problem->values();
+  double sum               = problem->energy();
+  for (std::size_t k = 0; k < set.constraints.size(); ++k)
+    if (const Constraint &constraint = set.constraints[k]; std::isfinite(constraint.stiffness))
+      sum += 0.5 * constraint.stiffness * std::pow(values.constraints[k] - constraint.target, 2);
+  return sum;
+}
+
+// Of L = E + sum lambda (g - g0) only what depends on the parameter explicitly counts, for L is stationary otherwise.
+std::optional<double> SurfaceModel::energy_slope(const SurfaceScene &scene, const std::string &parameter) const
+{
+  std::optional<double> slope;
+  const std::vector<Constraint> &constraints = problem->potentials().constraints;
+  for (const ParameterDerivative &derivative : scene.derivatives(unit, targets))
+  {
+    if (derivative.parameter != parameter)
+      continue;
+    slope = slope.value_or(0.);
+    if (derivative.energy)
+    {
+      PotentialSet alone;
+      alone.energies.push_back(derivative.energy);
+      *slope += problem->value_of(alone);
+    }
+    for (std::size_t k = 0; k < constraints.size(); ++k)
+      if (constraints[k].quantity == derivative.quantity)
+      {
+        const double of_measure = derivative.measure ? problem->value_of({{derivative.measure}, {}, {}, {}}) : 0.;
+        *slope += problem->state().multipliers[k] * (of_measure - derivative.target);
+      }
+  }
+  return slope;
+}
+
 // Tension and pressure: prescribed, or multiplier of a constraint, or (with a finite stiffness) the sum of both.
 std::vector<NamedQuantity> SurfaceModel::forces() const
 {
@@ -77,7 +121,7 @@ std::vector<NamedQuantity> SurfaceModel::forces() const
 
 std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
 {
-  const NodalVectors &positions  = problem->state().fields[0];
+  const NodalVectors positions   = on_mesh(problem->state().fields[0]);
   const ShapeMeasures shape      = measure_shape(discretization, positions);
   const NodalCurvature curvature = nodal_curvature(discretization, positions);
 
@@ -107,12 +151,20 @@ std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
   for (std::size_t k = 0; k < set.constraints.size(); ++k)
     if (set.constraints[k].is_own_quantity)
       report(set.constraints[k].quantity, problem->values().constraints[k], set.constraints[k].dimension);
+  if (const std::optional<double> neck = neck_radius(discretization, positions))
+    report("neck_radius", *neck, dimensions::length);
+  for (const EdgeLoop &loop : discretization.edges)
+    if (!loop.is_rim)
+      report("domain_boundary_length", loop_length(loop, positions), dimensions::length);
+  for (const auto &[name, length] : tether_measures(discretization, positions))
+    report(name, length, dimensions::length);
   report("integrated_mean_curvature", integrated_mean_curvature(discretization, positions, curvature.curvature_vector),
          dimensions::length);
   report("gauss_bonnet", shape.gauss_bonnet, dimensions::none);
   report("height", shape.height, dimensions::length);
   report("equatorial_radius", shape.equatorial_radius, dimensions::length);
-  report("axis_thickness", shape.axis_thickness, dimensions::length);
+  if (discretization.is_closed())
+    report("axis_thickness", shape.axis_thickness, dimensions::length);
   report("min_cell_quality", shape.min_cell_quality, dimensions::none);
   report("cell_area_ratio", shape.cell_area_ratio, dimensions::none);
   return list;
@@ -127,21 +179,21 @@ SurfaceSample SurfaceModel::sample() const
     return values;
   };
   const SurfaceState &state      = problem->state();
-  const NodalCurvature curvature = nodal_curvature(discretization, state.fields[0]);
+  const NodalCurvature curvature = nodal_curvature(discretization, on_mesh(state.fields[0]));
 
   std::vector<SampledNodalField> fields;
   fields.push_back(
       {"mean_curvature_outward", 1, scaled_values(curvature.mean_outward, unit.of(dimensions::curvature))});
   fields.push_back({"gauss_curvature", 1, scaled_values(curvature.gauss, unit.of(dimensions::gauss_curvature))});
   for (std::size_t f = 1; f < state.fields.size(); ++f)
-    fields.push_back(
-        {problem->layout().fields()[f].name, 3, scaled_values(state.fields[f], unit.of(dimensions::line_tension))});
+    fields.push_back({problem->layout().fields()[f].name, 3,
+                      scaled_values(on_mesh(state.fields[f]), unit.of(dimensions::line_tension))});
 
   if (last_stability)
     for (std::size_t k = 0; k < last_stability->modes.size(); ++k)
-      fields.push_back({"mode_" + std::to_string(k + 1), 3, last_stability->modes[k]});
+      fields.push_back({"mode_" + std::to_string(k + 1), 3, on_mesh(last_stability->modes[k])});
 
-  NodalVectors positions = scaled_values(state.fields[0], unit.length);
+  NodalVectors positions = scaled_values(on_mesh(state.fields[0]), unit.length);
   for (std::size_t i = 0; i < positions.size(); ++i)
     positions[i] += centroid[i % 3];
   return make_sample(discretization, positions, fields);

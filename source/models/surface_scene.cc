@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
+#include <pellicle/base/near_match.h>
+#include <pellicle/discretization/split_line.h>
 #include <pellicle/models/surface_scene.h>
 #include <pellicle/potentials/constraints/lipid_domain.h>
 #include <pellicle/potentials/constraints/tether.h>
+#include <pellicle/potentials/edges/gaussian_curvature.h>
 #include <pellicle/potentials/energies/helfrich_bending.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <utility>
 
 namespace pellicle
 {
 namespace
 {
-constexpr double pi = 3.141592653589793238462643;
-
 // A third of the scale on which the membrane bends at the tip, or what equal cells have.
 double smallest_tether_cell(const TetherParameters &tether, const StartShape &shape)
 {
@@ -77,6 +81,62 @@ void VesicleParameters::bind(ParameterSection &section)
   section.integer("Random seed", random_seed, 0, 2147483647, "Seed of the node noise.");
 }
 
+void BranchParameters::bind(ParameterSection &section)
+{
+  section.word(
+      "Parameter", parameter,
+      "Parameter of the scene, as Section/Name, along which the branch of equilibria is followed by arc length, "
+      "through folds, after the first solve. Possible are Vesicle/Reduced volume, targets and coefficients of the "
+      "listed effects: loads, tensions, spontaneous curvature. Empty: no continuation.");
+  section.choice("Direction", direction, {"increasing", "decreasing"}, "Which way the parameter goes at first.");
+  section.choice(
+      "At bifurcation", at_bifurcation, {"report", "switch"},
+      "Where the number of negative eigenvalues changes off a fold, another branch crosses. report: a message, "
+      "and straight on. switch: onto the other branch, along the critical mode (once).");
+  section.number("Amplitude", amplitude, Range::positive(), dimensions::none,
+                 "Length of the first step along the critical mode, measured as First step.");
+  section.number(
+      "Scale", scale, Range::non_negative(), dimensions::none,
+      "Change of the parameter that counts as much as displacements of the size of the surface, in the "
+      "parameter's unit. 0: the distance of the bounds if both are finite, else the parameter's value (one unit "
+      "if that is zero).");
+  steps.bind(section);
+}
+
+void PhaseDiagramParameters::bind(ParameterSection &section)
+{
+  section.numbers("Reduced volumes", reduced_volumes, {0., 1., true, true, false}, dimensions::none,
+                  "Reduced volumes at which the analysis `phase diagram` computes every branch that exists there.");
+  section.word("Branches", branches,
+               "Branches of the analysis `phase diagram`, named by the start shapes they begin with: prolate, oblate, "
+               "stomatocyte.");
+  section.integer("Fold points", fold_points, 0, 10000,
+                  "Points along the arc by which a branch is followed where it ends before the last reduced volume: "
+                  "through the fold and some way back.");
+}
+
+std::vector<std::string> PhaseDiagramParameters::branch_names() const
+{
+  std::vector<std::string> names;
+  std::istringstream list(branches);
+  for (std::string name; std::getline(list, name, ',');)
+  {
+    const auto first = name.find_first_not_of(" \t"), last = name.find_last_not_of(" \t");
+    names.push_back(first == std::string::npos ? "" : name.substr(first, last - first + 1));
+  }
+  return names;
+}
+
+void PhaseDiagramParameters::check() const
+{
+  const std::vector<std::string> known{"prolate", "oblate", "stomatocyte"};
+  for (const std::string &name : branch_names())
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw UserError("Phase diagram/Branches: '" + name + "' is no branch." + suggestion(name, known));
+  if (reduced_volumes.empty())
+    throw UserError("Phase diagram/Reduced volumes is empty: give at least one number between 0 and 1.");
+}
+
 void OutputParameters::bind(ParameterSection &section)
 {
   section.flag("Solution", solution,
@@ -99,6 +159,8 @@ std::vector<ParameterSection> SurfaceScene::sections()
     add(section_name(effect->name()), *effect);
   add("Load", load);
   add("Newton", newton);
+  add("Continuation", branch);
+  add("Phase diagram", phase_diagram);
   add("Stability", stability);
   add("Output", output);
   return all;
@@ -118,6 +180,8 @@ void SurfaceScene::check() const
 {
   for (const auto &effect : effects)
     effect->check();
+  if (has_analysis("phase diagram"))
+    phase_diagram.check();
   if (vesicle.semi_axes.size() != 3)
     throw UserError("Section Vesicle: 'Semi axes' has " + std::to_string(vesicle.semi_axes.size()) +
                     " numbers, three are needed, for example 1, 1, 1.2.");
@@ -138,11 +202,13 @@ void SurfaceScene::check() const
                     "stability'.");
   if (load.parameter.empty() && !(load.from.empty() && load.to.empty()))
     throw UserError("Section Load: 'From' or 'To' is set, but 'Parameter' names no parameter.");
-  if (!load.parameter.empty() && load.to.empty())
-    throw UserError("Section Load: 'Parameter' is '" + load.parameter + "', but 'To' gives no value.");
+  if (!load.parameter.empty() && load.to.empty() && load.from.empty())
+    throw UserError("Section Load: 'Parameter' is '" + load.parameter +
+                    "', but neither 'From' nor 'To' gives a value to come from or to go to.");
   if (load.parameter.rfind("Mesh/", 0) == 0 || load.parameter.rfind("Newton/", 0) == 0 ||
       load.parameter.rfind("Output/", 0) == 0 || load.parameter.rfind("Stability/", 0) == 0 ||
-      load.parameter.rfind("Load/", 0) == 0 || load.parameter == "Vesicle/Area")
+      load.parameter.rfind("Continuation/", 0) == 0 || load.parameter.rfind("Load/", 0) == 0 ||
+      load.parameter == "Vesicle/Area")
     throw UserError("Load/Parameter = " + load.parameter +
                     " cannot change during a run: it shapes the mesh, the scale or the run itself.");
   const PotentialSet set = potentials(Scales{}, targets(Scales{}));
@@ -222,6 +288,12 @@ std::optional<StartShape> SurfaceScene::reference_shape() const
   return shape;
 }
 
+bool SurfaceScene::splits_domain() const
+{
+  const auto *gaussian = find<GaussianCurvatureEffect>();
+  return has_effect("lipid domain") && gaussian != nullptr && gaussian->parameters.domain_difference != 0.;
+}
+
 std::vector<SceneEdge> SurfaceScene::edges() const
 {
   const EdgeSupport rim = vesicle.rim == "free"     ? EdgeSupport::free
@@ -230,7 +302,12 @@ std::vector<SceneEdge> SurfaceScene::edges() const
   if (has_effect("tether"))
     return {{"tip", EdgeSupport::clamped}, {"ring", EdgeSupport::clamped}};
   if (has_effect("lipid domain"))
-    return {{"domain boundary", EdgeSupport::inner}};
+  {
+    std::vector<SceneEdge> line{{domain_boundary, EdgeSupport::inner}};
+    if (splits_domain())
+      line.push_back({far_side(domain_boundary), EdgeSupport::far_side});
+    return line;
+  }
   if (vesicle.start_shape == "cap" || vesicle.start_shape == "disc")
     return {{"rim", rim}};
   if (vesicle.start_shape == "tube")
@@ -241,9 +318,10 @@ std::vector<SceneEdge> SurfaceScene::edges() const
 SceneTargets SurfaceScene::targets(const Scales &scales) const
 {
   SceneTargets targets;
-  targets.area   = vesicle.area / scales.of(dimensions::area);
-  targets.volume = target_volume() / scales.of(dimensions::volume);
-  targets.edges  = edges();
+  targets.area             = vesicle.area / scales.of(dimensions::area);
+  targets.volume           = target_volume() / scales.of(dimensions::volume);
+  targets.volume_of_sphere = targets.volume / vesicle.reduced_volume;
+  targets.edges            = edges();
   for (const auto &effect : effects)
     effect->prepare(scales, targets);
   return targets;
@@ -255,6 +333,15 @@ PotentialSet SurfaceScene::potentials(const Scales &scales, const SceneTargets &
   for (const auto &effect : effects)
     effect->contribute(scales, targets, set);
   return set;
+}
+
+std::vector<ParameterDerivative> SurfaceScene::derivatives(const Scales &scales, const SceneTargets &targets) const
+{
+  std::vector<ParameterDerivative> list;
+  for (const auto &effect : effects)
+    for (ParameterDerivative &derivative : effect->derivatives(scales, targets))
+      list.push_back(std::move(derivative));
+  return list;
 }
 
 SurfaceScene make_surface_scene(const EffectLibrary &library, const std::vector<std::string> &effects,
@@ -269,7 +356,7 @@ SurfaceScene make_surface_scene(const EffectLibrary &library, const std::vector<
 
 const std::vector<std::string> &analysis_names()
 {
-  static const std::vector<std::string> names{"stability"};
+  static const std::vector<std::string> names{"stability", "phase diagram"};
   return names;
 }
 } // namespace pellicle

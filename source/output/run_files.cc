@@ -25,8 +25,8 @@ bool is_solution_file(const std::string &name)
 
 bool is_result_file(const std::string &name)
 {
-  for (const char *result :
-       {"summary.json", "history.csv", "convergence.csv", "accuracy.csv", "solution.pvd", "picture.png"})
+  for (const char *result : {"summary.json", "history.csv", "convergence.csv", "accuracy.csv", "branch.csv",
+                             "phase_diagram.csv", "solution.pvd", "picture.png"})
     if (name == result)
       return true;
   return is_solution_file(name);
@@ -46,7 +46,8 @@ void prepare_output_directory(const std::filesystem::path &directory)
 }
 
 RunFiles::RunFiles(const std::filesystem::path &directory)
-    : history(directory / "history.csv")
+    : directory(directory)
+    , history(directory / "history.csv")
     , convergence(directory / "convergence.csv")
 {
 }
@@ -56,8 +57,14 @@ void RunFiles::on_iteration(const IterationReport &report)
   convergence.append(report);
 }
 
+void RunFiles::on_row(const TableRow &row)
+{
+  const auto table = tables.try_emplace(row.table, directory / (row.table + ".csv")).first;
+  table->second.append(row.fields);
+}
+
 void RunFiles::on_step(const StepReport &report)
 {
-  history.append(report);
+  history.append(history_row(report));
 }
 } // namespace pellicle

@@ -82,12 +82,12 @@ void ConvergenceTable::append(const IterationReport &report)
                         number_text(report.energy), std::to_string(report.rejected), number_text(report.seconds)}));
 }
 
-HistoryTable::HistoryTable(const std::filesystem::path &path)
+GrowingTable::GrowingTable(const std::filesystem::path &path)
     : file(path)
 {
 }
 
-std::string HistoryTable::line_of(const Row &row) const
+std::string GrowingTable::line_of(const Row &row) const
 {
   std::vector<std::string> fields;
   for (const std::string &column : columns)
@@ -98,14 +98,8 @@ std::string HistoryTable::line_of(const Row &row) const
   return csv_line(fields);
 }
 
-void HistoryTable::append(const StepReport &report)
+void GrowingTable::append(Row row)
 {
-  Row row = {{"step", std::to_string(report.step)}};
-  if (!report.stepped_parameter.empty())
-    row.emplace_back(report.stepped_parameter, number_text(report.stepped_value));
-  for (const auto &[name, value] : report.quantities)
-    row.emplace_back(name, number_text(value));
-
   const std::size_t n_columns_before = columns.size();
   for (const auto &entry : row)
     if (std::find(columns.begin(), columns.end(), entry.first) == columns.end())
@@ -121,5 +115,15 @@ void HistoryTable::append(const StepReport &report)
       text += line_of(earlier);
     file.replace(text);
   }
+}
+
+GrowingTable::Row history_row(const StepReport &report)
+{
+  GrowingTable::Row row = {{"step", std::to_string(report.step)}};
+  if (!report.stepped_parameter.empty())
+    row.emplace_back(report.stepped_parameter, number_text(report.stepped_value));
+  for (const auto &[name, value] : report.quantities)
+    row.emplace_back(name, number_text(value));
+  return row;
 }
 } // namespace pellicle

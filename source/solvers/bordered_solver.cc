@@ -3,6 +3,7 @@
 #include <pellicle/solvers/bordered_solver.h>
 
 #include <numeric>
+#include <optional>
 
 namespace pellicle
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/solvers/continuation.h>
@@ -205,7 +206,7 @@ std::optional<BranchWalk::Next> BranchWalk::land_on_bound(const Next &beyond)
 void BranchWalk::choose_length(const BranchState &reached)
 {
   const double by_iterations = double(parameters.wanted_iterations) / std::max(1, reached.last_corrector);
-  const double wanted_turn   = 0.5 * parameters.largest_turn * std::acos(-1.) / 180.;
+  const double wanted_turn   = 0.5 * parameters.largest_turn * pi / 180.;
   const double by_turn       = reached.turn > 0. ? wanted_turn / reached.turn : largest_factor;
   length *= std::clamp(std::min(by_iterations, by_turn), 1. / largest_factor, largest_factor);
   length = std::clamp(length, parameters.smallest_step, parameters.largest_step);

@@ -8,7 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <sstream>
+#include <string>
+#include <utility>
 
 namespace pellicle
 {

@@ -12,6 +12,8 @@
 #include <numeric>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace pellicle::internal
 {

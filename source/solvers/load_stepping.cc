@@ -13,7 +13,7 @@ void LoadParameters::bind(ParameterSection &section)
   section.word(
       "From", from,
       "Its value at the first solve, a number or expression in the parameter's unit. Empty: the scene's own value.");
-  section.word("To", to, "Its value at the last solve.");
+  section.word("To", to, "Its value at the last solve. Empty: the scene's own value of the parameter.");
   section.integer(
       "Steps", steps, 1, 100000,
       "Number of equal steps to begin with. A step that fails is halved; after a success the next one may grow.");

@@ -8,7 +8,13 @@
 #include <dmumps_c.h>
 #include <mpi.h>
 
+#include <algorithm>
+#include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace pellicle::internal
 {

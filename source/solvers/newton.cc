@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace pellicle
 {
@@ -156,10 +157,7 @@ bool Newton::advance(EquilibriumProblem &problem, NewtonResult &result, Iteratio
       const double trial  = problem.try_step(direction, length);
       if (std::isfinite(trial) && trial <= merit + tolerated_increase * scale)
       {
-        problem.accept_trial();
-        report.step_length = length * displacement;
-        if (length == 1.)
-          drag = drag_decrease * drag < smallest_drag ? 0. : drag_decrease * drag;
+        accept_trial(problem, length, displacement, report);
         return true;
       }
       if (!increase_drag(result))
@@ -181,16 +179,22 @@ bool Newton::advance(EquilibriumProblem &problem, NewtonResult &result, Iteratio
         const double trial = problem.try_step(direction, length);
         if (!std::isfinite(trial) || (significant && trial > merit + sufficient_decrease * length * slope))
           continue;
-        problem.accept_trial();
-        report.step_length = length * displacement;
-        if (length == 1.)
-          drag = drag_decrease * drag < smallest_drag ? 0. : drag_decrease * drag;
+        accept_trial(problem, length, displacement, report);
         return true;
       }
     }
     if (!increase_drag(result))
       return false;
   }
+}
+
+void Newton::accept_trial(EquilibriumProblem &problem, const double length, const double displacement,
+                          IterationReport &report)
+{
+  problem.accept_trial();
+  report.step_length = length * displacement;
+  if (length == 1.)
+    drag = drag_decrease * drag < smallest_drag ? 0. : drag_decrease * drag;
 }
 
 bool Newton::increase_drag(NewtonResult &result)

@@ -7,7 +7,12 @@
 #include <umfpack.h>
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace pellicle::internal
 {

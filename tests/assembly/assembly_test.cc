@@ -3,6 +3,8 @@
 #include "sample_problem.h"
 
 #include <pellicle/assembly/bordered_system.h>
+#include <pellicle/base/constants.h>
+#include <pellicle/base/observer.h>
 #include <pellicle/models/surface_model.h>
 #include <pellicle/potentials/energies/mesh_distortion.h>
 
@@ -121,7 +123,8 @@ TEST(Assembler, NoUnknownsOfWhatIsNotListed)
     scene.mesh.refinements = 0;
     scene.newton.chart     = "graph";
     SurfaceModel model(scene, communicator, timing);
-    model.negative_eigenvalues();
+    Observer nobody;
+    model.solve(0, nobody);
     std::string result;
     for (const auto &[name, count] : model.unknown_counts())
       result += name + " " + std::to_string(count) + ", ";
@@ -138,10 +141,9 @@ TEST(Assembler, NoUnknownsOfWhatIsNotListed)
 TEST(NodalChart, NormalsAndAreasOfASphere)
 {
   const SmoothShape sphere                                             = ellipsoid({{2., 2., 2.}});
-  const std::vector<std::pair<SurfaceDiscretization, double>> surfaces = {
-      {on_cube_sphere(sphere, 3, 2), 16. * 3.141592653589793},
-      {on_meridian(sphere, 3, 3, false), 16. * 3.141592653589793},
-      {on_meridian(sphere, 3, 2, true), 16. * 3.141592653589793}};
+  const std::vector<std::pair<SurfaceDiscretization, double>> surfaces = {{on_cube_sphere(sphere, 3, 2), 16. * pi},
+                                                                          {on_meridian(sphere, 3, 3, false), 16. * pi},
+                                                                          {on_meridian(sphere, 3, 2, true), 16. * pi}};
   for (const auto &[surface, area] : surfaces)
   {
     const NodalVectors normals      = nodal_normals(surface, surface.positions);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "messages.h"
+#include "expect_user_error.h"
 
 #include <pellicle/base/expression.h>
 
 #include <cmath>
+#include <limits>
 
 using namespace pellicle;
-using namespace pellicle::test_messages;
+using pellicle::test::expect_user_error;
 
 namespace
 {
@@ -45,23 +46,23 @@ TEST(Expression, Infinity)
 TEST(Expression, NanIsRejected)
 {
   for (const char *text : {"nan", "NaN", "-nan", "sqrt(-1)", "0/0"})
-    expect_refusal([&] { evaluate_number(text); }, {"'" + std::string(text) + "' is not a number"});
+    expect_user_error([&] { evaluate_number(text); }, {"'" + std::string(text) + "' is not a number"});
 }
 
 TEST(Expression, ExpressionsMustBeFinite)
 {
-  expect_refusal([] { evaluate_number("1/0"); }, {"'1/0'", "no finite value"});
-  expect_refusal([] { evaluate_number("1e400"); }, {"'1e400'", "double precision"});
-  expect_refusal([] { evaluate_number("10^400"); }, {"'10^400'", "no finite value"});
+  expect_user_error([] { evaluate_number("1/0"); }, {"'1/0'", "no finite value"});
+  expect_user_error([] { evaluate_number("1e400"); }, {"'1e400'", "double precision"});
+  expect_user_error([] { evaluate_number("10^400"); }, {"'10^400'", "no finite value"});
 }
 
 TEST(Expression, MalformedTextsAreNamed)
 {
-  expect_refusal([] { evaluate_number(""); }, {"missing"});
-  expect_refusal([] { evaluate_number("4*pie"); }, {"'4*pie' is not a number", "'pie' is not understood", "pi"});
-  expect_refusal([] { evaluate_number("4*"); }, {"'4*' is not a number", "incomplete"});
-  expect_refusal([] { evaluate_number("(1+2"); }, {"'(1+2' is not a number"});
-  expect_refusal([] { evaluate_number("0,65"); }, {"'0,65'", "with a point"});
+  expect_user_error([] { evaluate_number(""); }, {"missing"});
+  expect_user_error([] { evaluate_number("4*pie"); }, {"'4*pie' is not a number", "'pie' is not understood", "pi"});
+  expect_user_error([] { evaluate_number("4*"); }, {"'4*' is not a number", "incomplete"});
+  expect_user_error([] { evaluate_number("(1+2"); }, {"'(1+2' is not a number"});
+  expect_user_error([] { evaluate_number("0,65"); }, {"'0,65'", "with a point"});
   for (const char *text : {"4 pi", "abc", "1 nm", "1.2.3", "a=3", "3;", "\"x\"", "()", "--", "+-1", "1e", "0.5 0.6"})
-    expect_refusal([&] { evaluate_number(text); }, {"'" + std::string(text) + "' is not a number"});
+    expect_user_error([&] { evaluate_number(text); }, {"'" + std::string(text) + "' is not a number"});
 }

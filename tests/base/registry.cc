@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "messages.h"
+#include "expect_user_error.h"
 
 #include <pellicle/base/registry.h>
 
 using namespace pellicle;
-using namespace pellicle::test_messages;
+using pellicle::test::expect_user_error;
 
 namespace
 {
@@ -58,8 +58,8 @@ TEST(Registry, KeepsTheOrder)
 
 TEST(Registry, UnknownNameListsNearMatches)
 {
-  expect_refusal([] { shapes().create("dimond", 1.); }, {"no shape 'dimond'", "Did you mean 'diamond'?"});
-  expect_refusal([] { shapes().create("xyzuvw", 1.); }, {"no shape 'xyzuvw'", "Possible: 'square', 'diamond'."});
+  expect_user_error([] { shapes().create("dimond", 1.); }, {"no shape 'dimond'", "Did you mean 'diamond'?"});
+  expect_user_error([] { shapes().create("xyzuvw", 1.); }, {"no shape 'xyzuvw'", "Possible: 'square', 'diamond'."});
 }
 
 TEST(Registry, ArgumentsMayBeReferences)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Reading scenes into parameter structs, and the messages about what is wrong with a scene.
-#include "messages.h"
+#include "expect_user_error.h"
 #include "scene_example.h"
 
 #include <pellicle/base/scene.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 
 using namespace pellicle;
-using namespace pellicle::test_messages;
+using pellicle::test::expect_user_error;
 using namespace pellicle::test_scene;
 
 namespace
@@ -29,7 +29,7 @@ Parameters read(Scene scene)
 
 void expect_read_refusal(const std::string &text, const std::vector<std::string> &parts)
 {
-  expect_refusal([&] { read(scene_of(text)); }, parts);
+  expect_user_error([&] { read(scene_of(text)); }, parts);
 }
 
 /** A scene with one line in the section Vesicle, on line 2. */
@@ -92,14 +92,15 @@ TEST(Scene, Lists)
             Names{"area constraint"});
   EXPECT_EQ(scene_of("set Analyses = stability").analyses({}, {"stability"}), Names{"stability"});
 
-  expect_refusal([&] { scene_of("\nset Effects = pressure, pressure").effects(defaults, known); },
-                 {"a.prm:2: ", "Effects", "'pressure' twice"});
-  expect_refusal([&] { scene_of("set Effects = presure").effects(defaults, known); },
-                 {"a.prm:1: ", "Effects", "'presure'", "Did you mean 'pressure'?"});
-  expect_refusal([&] { scene_of("", {"Effects=presure"}).effects(defaults, known); }, {"--set \"Effects=presure\": "});
-  expect_refusal([&] { scene_of("set Effects = pressure,").effects(defaults, known); }, {"a.prm:1: ", "commas"});
-  expect_refusal([&] { scene_of("set Analyses = stabilty").analyses({}, {"stability"}); },
-                 {"a.prm:1: ", "Analyses", "'stability'"});
+  expect_user_error([&] { scene_of("\nset Effects = pressure, pressure").effects(defaults, known); },
+                    {"a.prm:2: ", "Effects", "'pressure' twice"});
+  expect_user_error([&] { scene_of("set Effects = presure").effects(defaults, known); },
+                    {"a.prm:1: ", "Effects", "'presure'", "Did you mean 'pressure'?"});
+  expect_user_error([&] { scene_of("", {"Effects=presure"}).effects(defaults, known); },
+                    {"--set \"Effects=presure\": "});
+  expect_user_error([&] { scene_of("set Effects = pressure,").effects(defaults, known); }, {"a.prm:1: ", "commas"});
+  expect_user_error([&] { scene_of("set Analyses = stabilty").analyses({}, {"stability"}); },
+                    {"a.prm:1: ", "Analyses", "'stability'"});
 }
 
 TEST(Scene, UnknownSection)
@@ -109,8 +110,8 @@ TEST(Scene, UnknownSection)
   expect_read_refusal("subsection Vesicel\nend\n", {"a.prm:1: ", "no section 'Vesicel'"});
   expect_read_refusal("subsection Mesh\nsubsection Qualty\nend\nend\n",
                       {"a.prm:2: ", "Did you mean 'Mesh/Quality' or"});
-  expect_refusal([] { read(scene_of("", {"Vesicel/Area=1"})); },
-                 {"--set \"Vesicel/Area=1\": ", "no section 'Vesicel'"});
+  expect_user_error([] { read(scene_of("", {"Vesicel/Area=1"})); },
+                    {"--set \"Vesicel/Area=1\": ", "no section 'Vesicel'"});
 }
 
 TEST(Scene, SectionOfAnUnlistedEffect)
@@ -119,7 +120,7 @@ TEST(Scene, SectionOfAnUnlistedEffect)
       "section 'Pressure' belongs to the effect 'pressure', which is not in Effects: list it or remove the section";
   expect_read_refusal("\n\nsubsection Pressure\nset Pressure = 1\nend\n", {"a.prm:3: ", message});
   expect_read_refusal("subsection Pressure\nend\n", {"a.prm:1: ", message});
-  expect_refusal([] { read(scene_of("", {"Pressure/Pressure=1"})); }, {"--set \"Pressure/Pressure=1\": ", message});
+  expect_user_error([] { read(scene_of("", {"Pressure/Pressure=1"})); }, {"--set \"Pressure/Pressure=1\": ", message});
 }
 
 TEST(Scene, UnknownParameter)
@@ -130,7 +131,7 @@ TEST(Scene, UnknownParameter)
                       {"'Bending rigidity'", "is a parameter of the section 'Helfrich bending'."});
   expect_read_refusal("set Effect = pressure\n", {"a.prm:1: ", "top-level", "'Effect'", "Did you mean 'Effects'?"});
   expect_read_refusal("set Area = 1\n", {"top-level", "'Area'", "section 'Vesicle'"});
-  expect_refusal([] { read(scene_of("", {"Vesicle/Aera=1"})); }, {"--set \"Vesicle/Aera=1\": ", "'Area'"});
+  expect_user_error([] { read(scene_of("", {"Vesicle/Aera=1"})); }, {"--set \"Vesicle/Aera=1\": ", "'Area'"});
 }
 
 TEST(Scene, MalformedNumbers)
@@ -189,7 +190,7 @@ TEST(Scene, SettingAParameterAndReadingAgainIsALoadStep)
 
   scene.set("Vesicle/Reduced volume", "1.8", "load step 4");
   Parameters third;
-  expect_refusal([&] { scene.read(third.listed(), unlisted_sections); }, {"load step 4: ", "'1.8' is out of range"});
+  expect_user_error([&] { scene.read(third.listed(), unlisted_sections); }, {"load step 4: ", "'1.8' is out of range"});
 }
 
 TEST(Scene, TextAndOriginOfAParameter)
@@ -201,6 +202,6 @@ TEST(Scene, TextAndOriginOfAParameter)
   EXPECT_EQ(scene.origin("Vesicle/Area"), "a.prm:2");
   EXPECT_EQ(scene.value("Vesicle/Reduced volume"), "1");
   EXPECT_EQ(scene.origin("Vesicle/Reduced volume"), "default");
-  expect_refusal([&] { scene.value("Vesicle/Reduced volum"); },
-                 {"no parameter 'Vesicle/Reduced volum'", "Did you mean 'Vesicle/Reduced volume'"});
+  expect_user_error([&] { scene.value("Vesicle/Reduced volum"); },
+                    {"no parameter 'Vesicle/Reduced volum'", "Did you mean 'Vesicle/Reduced volume'"});
 }

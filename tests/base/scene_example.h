@@ -2,6 +2,7 @@
 // The parameters of an imaginary application that has every kind of parameter.
 #pragma once
 
+#include <pellicle/base/constants.h>
 #include <pellicle/base/scene_text.h>
 
 #include <limits>
@@ -12,7 +13,7 @@ namespace pellicle::test_scene
 {
 struct Vesicle
 {
-  double area           = 12.566370614359172;
+  double area           = 4. * pi;
   double reduced_volume = 1.;
   double stiffness      = std::numeric_limits<double>::infinity();
   std::string shape     = "prolate";

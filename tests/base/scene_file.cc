@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "messages.h"
+#include "expect_user_error.h"
 #include "scene_example.h"
 
 #include <pellicle/base/scene_file.h>
@@ -8,7 +8,7 @@
 #include <fstream>
 
 using namespace pellicle;
-using namespace pellicle::test_messages;
+using pellicle::test::expect_user_error;
 using namespace pellicle::test_scene;
 
 namespace
@@ -24,7 +24,7 @@ std::string listing(const SceneEntries &scene)
 
 void expect_scan_refusal(const std::string &text, const std::vector<std::string> &parts)
 {
-  expect_refusal([&] { scan_scene(text, "a.prm"); }, parts);
+  expect_user_error([&] { scan_scene(text, "a.prm"); }, parts);
 }
 } // namespace
 
@@ -79,9 +79,9 @@ TEST(SceneFile, DuplicatesNameBothLines)
 
 TEST(SceneFile, FilesThatCannotBeRead)
 {
-  expect_refusal([] { read_scene_file("no_such_file.prm"); }, {"'no_such_file.prm'", "No such file"});
+  expect_user_error([] { read_scene_file("no_such_file.prm"); }, {"'no_such_file.prm'", "No such file"});
   const std::string directory = std::filesystem::temp_directory_path().string();
-  expect_refusal([&] { read_scene_file(directory); }, {"'" + directory + "'", "is a directory"});
+  expect_user_error([&] { read_scene_file(directory); }, {"'" + directory + "'", "is a directory"});
 }
 
 TEST(SceneFile, ReadsFiles)
@@ -108,10 +108,10 @@ TEST(SceneFile, MalformedOverrides)
 {
   SceneEntries scene;
   for (const char *argument : {"Mesh/Degree", "=3", " =3"})
-    expect_refusal([&] { apply_overrides(scene, {argument}); },
-                   {"--set \"" + std::string(argument) + "\"", "Section/Name=value"});
+    expect_user_error([&] { apply_overrides(scene, {argument}); },
+                      {"--set \"" + std::string(argument) + "\"", "Section/Name=value"});
   for (const char *argument : {"/A=3", "Mesh/=3"})
-    expect_refusal([&] { apply_overrides(scene, {argument}); }, {"names no parameter", "'Section/Name'"});
+    expect_user_error([&] { apply_overrides(scene, {argument}); }, {"names no parameter", "'Section/Name'"});
   for (const char *argument : {"M/F=a#b", "M/F=a\nb", "M/F=a\\"})
-    expect_refusal([&] { apply_overrides(scene, {argument}); }, {"--set \"M/F=a", "cannot hold '#'"});
+    expect_user_error([&] { apply_overrides(scene, {argument}); }, {"--set \"M/F=a", "cannot hold '#'"});
 }

@@ -3,6 +3,7 @@
 
 #include <pellicle/discretization/polygon_mesh.h>
 
+#include <cstdio>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <string>

@@ -3,6 +3,7 @@
 #include "curvature_error.h"
 #include "expect_user_error.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/discretization/builders.h>
 #include <pellicle/discretization/start_shapes.h>
 #include <pellicle/discretization/surface_quality.h>
@@ -15,7 +16,6 @@
 namespace
 {
 using namespace pellicle;
-constexpr double pi       = 3.141592653589793;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 StartShape start(const std::string &name, const unsigned int degree, const unsigned int refinements, const bool axial)

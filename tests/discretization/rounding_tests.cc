@@ -4,6 +4,7 @@
 #include "msh_writer.h"
 #include "sample_meshes.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/discretization/rounding.h>
 #include <pellicle/discretization/smooth_shape.h>
 #include <pellicle/discretization/start_shapes.h>
@@ -12,7 +13,6 @@
 namespace
 {
 using namespace pellicle;
-constexpr double pi = 3.141592653589793;
 
 /** Moves sphere points along the sphere, smoothly and without symmetry, and stretches the sphere to an ellipsoid. */
 PolygonMesh distorted(PolygonMesh mesh, const double a, const double b, const double c)

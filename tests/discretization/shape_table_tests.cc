@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Shape tables and evaluate_field(): polynomials and their derivatives are reproduced, and revolution is differentiated
 // rightly.
+#include <pellicle/base/constants.h>
 #include <pellicle/discretization/surface_discretization.h>
 
 #include <gtest/gtest.h>
@@ -11,8 +12,6 @@ namespace
 {
 using namespace pellicle;
 using Kind = SurfaceDiscretization::Kind;
-
-constexpr double pi = 3.141592653589793;
 
 /** (x, y)^p and derivatives, each coordinate with its own powers. */
 double power_derivative(const double x, const int power, const int derivative)

@@ -2,6 +2,7 @@
 // Exact areas and volumes of the smooth shapes, and the parameters that are refused.
 #include "expect_user_error.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/discretization/builders.h>
 #include <pellicle/discretization/surface_quality.h>
 
@@ -11,7 +12,6 @@
 namespace
 {
 using namespace pellicle;
-constexpr double pi = 3.141592653589793;
 
 TEST(SmoothShape, EllipsoidAreaMatchesReferences)
 {

@@ -3,6 +3,7 @@
 // refusals.
 #include "expect_user_error.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/discretization/smooth_shape.h>
 #include <pellicle/discretization/start_shapes.h>
 #include <pellicle/discretization/surface_quality.h>
@@ -15,7 +16,6 @@
 namespace
 {
 using namespace pellicle;
-constexpr double pi = 3.141592653589793;
 
 StartShape start(const std::string &name, const unsigned int degree, const unsigned int refinements,
                  const bool axial = false, const bool mirror = false)

@@ -2,7 +2,7 @@
 // Vesicles for the tests: a scene, its model, and what its iterations reported.
 #pragma once
 
-#include <pellicle/base/observer.h>
+#include <pellicle/base/constants.h>
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_model.h>
 #include <pellicle/potentials/constraints/total_area.h>
@@ -11,6 +11,7 @@
 #include <pellicle/potentials/energies/surface_tension.h>
 
 #include "../mpi_environment.h"
+#include "../record.h"
 
 #include <cmath>
 #include <functional>
@@ -20,8 +21,6 @@
 
 namespace pellicle::test
 {
-constexpr double pi = 3.141592653589793;
-
 /** A scene with default parameters: area 4 pi, kappa 1, so that the user's units are the internal ones. Equilibria are
  * told from saddles by the number of negative eigenvalues; modes are not computed. */
 inline SurfaceScene scene_with(const std::vector<std::string> &effects)
@@ -52,14 +51,6 @@ inline SurfaceScene vesicle(const std::string &start_shape, const double reduced
   scene.mesh.symmetry          = symmetry;
   return scene;
 }
-
-/** Collects the reports. */
-class Record : public Observer
-{
-public:
-  void on_iteration(const IterationReport &report) override { iterations.push_back(report); }
-  std::vector<IterationReport> iterations;
-};
 
 /** A reported quantity by its name, in the user's units. */
 inline double quantity(const SurfaceModel &model, const std::string &name)

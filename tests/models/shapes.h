@@ -2,6 +2,7 @@
 // Closed surfaces for the tests of this room, and rigid motions of them.
 #pragma once
 
+#include <pellicle/base/constants.h>
 #include <pellicle/discretization/builders.h>
 #include <pellicle/discretization/refined_quads.h>
 
@@ -10,8 +11,6 @@
 
 namespace pellicle::test_shapes
 {
-constexpr double pi = 3.141592653589793;
-
 inline Vector3<double> node(const NodalVectors &positions, const std::size_t I)
 {
   return {positions[3 * I], positions[3 * I + 1], positions[3 * I + 2]};

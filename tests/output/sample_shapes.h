@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/constants.h>
 #include <pellicle/models/surface_sample.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -18,7 +20,7 @@ using Meridian = std::function<std::array<double, 2>(double)>;
  * differences. */
 inline double mean_curvature_outward(const Meridian &meridian, const double p)
 {
-  const double h = 1e-3, q = std::min(std::max(p, 2 * h), M_PI - 2 * h);
+  const double h = 1e-3, q = std::min(std::max(p, 2 * h), pi - 2 * h);
   const auto before = meridian(q - h), here = meridian(q), after = meridian(q + h);
   const double r1 = (after[0] - before[0]) / (2 * h), z1 = (after[1] - before[1]) / (2 * h);
   const double r2 = (after[0] - 2 * here[0] + before[0]) / (h * h), z2 = (after[1] - 2 * here[1] + before[1]) / (h * h);
@@ -43,8 +45,8 @@ inline SurfaceSample revolved_sample(const Meridian &meridian, const unsigned in
       for (unsigned int j = 0; j <= degree; ++j)
         for (unsigned int i = 0; i <= degree; ++i)
         {
-          const double u       = std::tan(M_PI / 2 * ((cell % n + double(i) / degree) / n - 0.5));
-          const double v       = std::tan(M_PI / 2 * ((cell / n + double(j) / degree) / n - 0.5));
+          const double u       = std::tan(pi / 2 * ((cell % n + double(i) / degree) / n - 0.5));
+          const double v       = std::tan(pi / 2 * ((cell / n + double(j) / degree) / n - 0.5));
           const double s       = face < 3 ? 1. : -1.;
           const unsigned int a = face % 3;
           Point x{};

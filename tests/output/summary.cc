@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "temporary_directory.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/base/version.h>
 #include <pellicle/output/summary.h>
 
@@ -29,7 +30,7 @@ RunResult example()
   result.newton          = {4, 17, 2, 1e-12};
   result.seconds         = {3.25, 1., 1.75, 0.25};
   result.stability       = StabilityCounts{1, {-0.5, 0.1}};
-  result.quantities      = {{"area", 4 * M_PI}, {"volume", 0.1}};
+  result.quantities      = {{"area", 4 * pi}, {"volume", 0.1}};
   return result;
 }
 } // namespace
@@ -49,7 +50,7 @@ TEST(Summary, HoldsWhatTheContractSays)
       {"newton", {{"steps", 4}, {"iterations", 17}, {"rejected", 2}, {"final_relative_residual", 1e-12}}},
       {"seconds", {{"total", 3.25}, {"assembly", 1.}, {"linear_solve", 1.75}, {"output", 0.25}}},
       {"stability", {{"negative_eigenvalues", 1}, {"lowest", {-0.5, 0.1}}}},
-      {"quantities", {{"area", 4 * M_PI}, {"volume", 0.1}}}};
+      {"quantities", {{"area", 4 * pi}, {"volume", 0.1}}}};
   // Compared as text: order counts, and numbers read back to the last bit.
   EXPECT_EQ(summary.dump(2), expected.dump(2));
 }

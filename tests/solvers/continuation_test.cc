@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Branches of small problems that are known in closed form.
+#include "expect_user_error.h"
 #include "parametrised_problems.h"
+#include "record.h"
 
-#include <pellicle/base/exceptions.h>
+#include <pellicle/base/constants.h>
 #include <pellicle/solvers/continuation.h>
 #include <pellicle/solvers/load_stepping.h>
 
@@ -16,15 +18,7 @@ namespace
 {
 using namespace pellicle;
 using namespace pellicle::synthetic;
-
-class Record : public Observer
-{
-public:
-  void on_iteration(const IterationReport &report) override { iterations.push_back(report); }
-  void on_message(const std::string &text) override { messages.push_back(text); }
-  std::vector<IterationReport> iterations;
-  std::vector<std::string> messages;
-};
+using pellicle::test::Record;
 
 /** A run, and at each of its points what continuation reports and the state. */
 class Branch
@@ -320,17 +314,7 @@ TEST(Continuation, EndsAtOnceAtABoundItHeadsBeyond)
   EXPECT_EQ(branch.result.points, 1);
   branch.parameters.upper = 0.3;
   branch.parameters.lower = -1.;
-  try
-  {
-    branch.follow(problem, StartDirection::increasing());
-    FAIL() << "nothing thrown";
-  }
-  catch (const UserError &error)
-  {
-    const std::string text = error.what();
-    EXPECT_NE(text.find("-1.875"), std::string::npos) << text;
-    EXPECT_NE(text.find("Continuation/Lower = -1"), std::string::npos) << text;
-  }
+  EXPECT_USER_ERROR(branch.follow(problem, StartDirection::increasing()), "-1.875", "Continuation/Lower = -1");
 }
 
 // Where there is no state beyond x = -0.8, steps shrink towards it, and the run says so.
@@ -383,7 +367,7 @@ TEST(Continuation, LengthensStepsWhereTheBranchIsStraightAndShortensThemWhereItT
     // Unit tangents: (1, 1, 3 x^2 - 1) for ds^2 = dx^2 + dy^2 + dp^2
     const double a = std::pow(branch.states[i - 1][0], 2) * 3. - 1., b = std::pow(branch.states[i][0], 2) * 3. - 1.;
     const double cosine = (2. + a * b) / std::sqrt((2. + a * a) * (2. + b * b));
-    EXPECT_GT(cosine, std::cos(10.01 * std::acos(-1.) / 180.));
+    EXPECT_GT(cosine, std::cos(10.01 * pi / 180.));
   }
   EXPECT_GT(longest, 1.);
   EXPECT_LT(longest_near_fold, 0.5);

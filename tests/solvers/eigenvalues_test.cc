@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Lowest eigenvalues of matrices with known spectra; some tests also with two MPI processes (second ctest entry).
+#include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/solvers/eigenvalues.h>
 
@@ -18,8 +19,6 @@ using namespace pellicle::synthetic;
 
 namespace
 {
-const double pi = std::acos(-1.);
-
 struct Pencil
 {
   MatrixBuilder K, M;
@@ -97,6 +96,15 @@ void add_held_chain(Pencil &pencil, const int first, const int n)
   add_chain(pencil, first, n);
   pencil.K.add(first, first, 1.);
   pencil.K.add(first + n - 1, first + n - 1, 1.);
+}
+/** That chain with unit masses, and rows for constraints behind it. */
+Pencil held_chain(const int n, const int n_constraints)
+{
+  Pencil pencil(n + n_constraints);
+  add_held_chain(pencil, 0, n);
+  pencil.add_mass(0, n);
+  pencil.n_expected_negative = n_constraints;
+  return pencil;
 }
 double held_eigenvalue(const int k, const int n)
 {
@@ -282,15 +290,12 @@ TEST(Eigenvalues, OneFewerThanThereAre)
 TEST(Eigenvalues, ExactConstraintsLeaveFewer)
 {
   // Mean and first moment are zero: 28 of 30 are left.
-  Pencil pencil(32);
-  add_held_chain(pencil, 0, 30);
-  pencil.add_mass(0, 30);
+  Pencil pencil = held_chain(30, 2);
   for (int i = 0; i < 30; ++i)
   {
     pencil.K.add(30, i, std::sin(pi * (i + 1) / 31.)); // modes 1 and 2
     pencil.K.add(31, i, std::sin(2. * pi * (i + 1) / 31.));
   }
-  pencil.n_expected_negative = 2;
   expect_values(lowest(pencil, 27, 1.), spectrum(3, 30, [](const int k) { return held_eigenvalue(k, 30); }), 1e-11);
   expect_failure(pencil, 29, "only 28 finite eigenvalues");
   expect_failure(pencil, 30, "only 30 finite eigenvalues");
@@ -298,10 +303,8 @@ TEST(Eigenvalues, ExactConstraintsLeaveFewer)
 
 TEST(Eigenvalues, AWrongCountIsAnError)
 {
-  Pencil pencil(11);
-  add_held_chain(pencil, 0, 10);
+  Pencil pencil = held_chain(10, 1);
   pencil.K.add(10, 10, -1.);
-  pencil.add_mass(0, 10);
   pencil.n_expected_negative = 0;
   expect_failure(pencil, 2, "No shift lies below all eigenvalues: 1 are below -1e+12");
   pencil.n_expected_negative = 2;
@@ -310,22 +313,17 @@ TEST(Eigenvalues, AWrongCountIsAnError)
 
 TEST(Eigenvalues, ARedundantConstraintIsAnError)
 {
-  Pencil pencil(12);
-  add_held_chain(pencil, 0, 10);
-  pencil.add_mass(0, 10);
+  Pencil pencil = held_chain(10, 2);
   for (int i = 0; i < 10; ++i)
   {
     pencil.K.add(10, i, 1.);
     pencil.K.add(11, i, 2.);
   }
-  pencil.n_expected_negative = 2;
   expect_failure(pencil, 2, "redundant constraint");
 }
 
 TEST(Eigenvalues, WithoutInertiaNothingIsClaimed)
 {
-  Pencil pencil(10);
-  add_held_chain(pencil, 0, 10);
-  pencil.add_mass(0, 10);
+  Pencil pencil = held_chain(10, 0);
   EXPECT_NE(failure(pencil, 2, "umfpack").find("Use 'mumps'"), std::string::npos) << failure(pencil, 2, "umfpack");
 }

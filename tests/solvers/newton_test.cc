@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Newton's method on small functions of a few variables, with and without a constraint.
+#include "record.h"
 #include "synthetic_matrices.h"
 
 #include <pellicle/solvers/newton.h>
@@ -16,6 +17,7 @@ namespace
 {
 using namespace pellicle;
 using namespace pellicle::synthetic;
+using pellicle::test::Record;
 using Vector = std::vector<double>;
 
 /** A function of x in R^n, its gradient and its Hessian by rows. */
@@ -172,13 +174,6 @@ Function double_well()
             return std::vector<Vector>{{12. * x[0] * x[0] - 4., 0.}, {0., 4.}};
           }};
 }
-
-class Record : public Observer
-{
-public:
-  void on_iteration(const IterationReport &report) override { iterations.push_back(report); }
-  std::vector<IterationReport> iterations;
-};
 
 class NewtonOn
 {

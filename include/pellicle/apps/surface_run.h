@@ -24,6 +24,8 @@ public:
   SurfaceScene read();
   /** Sets a parameter to a number. */
   void set(const std::string &path, double value, const std::string &origin);
+  /** Sets a parameter to a text. */
+  void set_text(const std::string &path, const std::string &value, const std::string &origin);
   /** The number that a parameter has now. Throws UserError if there is none. */
   double number(const std::string &path) const;
   /** Names of the listed effects. */
@@ -46,6 +48,9 @@ std::string commented_scene_of(const SurfaceApplication &application);
  * hours.
  */
 SurfaceScene scene_at_start_of_load(SurfaceSceneFile &file, const LoadParameters &load);
+
+/** What summary.json says of scene and model whatever the analysis: effects, mesh, unknowns, stability. */
+void describe(const SurfaceScene &scene, const SurfaceModel &model, RunResult &result);
 
 /** Called after every equilibrium: step, value of the stepped parameter (the step's number without load stepping). */
 using SolutionSink = std::function<void(const SurfaceModel &model, int step, double time)>;

@@ -7,6 +7,7 @@
 #include <pellicle/base/sparse_matrix.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace pellicle

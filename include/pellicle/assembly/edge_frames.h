@@ -22,8 +22,4 @@ std::map<std::size_t, Vector3<double>> nodal_line_tangents(const SurfaceDiscreti
  * normals: those of nodal_normals(). */
 std::map<std::size_t, Vector3<double>> nodal_conormals(const SurfaceDiscretization &discretization,
                                                        const NodalVectors &positions, const NodalVectors &normals);
-
-/** Turns nodal conormals (those that are not zero) so that they are orthogonal to the edge loops again. */
-void align_conormals(const SurfaceDiscretization &discretization, const NodalVectors &positions,
-                     NodalVectors &conormals);
 } // namespace pellicle

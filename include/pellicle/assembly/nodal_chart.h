@@ -58,9 +58,14 @@ NodalChart graph_chart(const SurfaceDiscretization &discretization, const NodalV
 NodalChart ale_chart(const SurfaceDiscretization &discretization, const NodalVectors &positions,
                      const NodalVectors &normals);
 
-/** Unit conormals on edge loops (zero elsewhere): one unknown a node, the rotation about the tangent of the line. */
+/** Unit conormals on edge loops (zero elsewhere): the rotation about the tangent of the line and, on surfaces in space,
+ * the one out of its normal plane. */
 NodalChart conormal_chart(const SurfaceDiscretization &discretization, const NodalVectors &positions,
                           const NodalVectors &conormals);
+
+/** Numbers at the nodes of edge loops that keep conormals orthogonal to the line; none on a meridian, where they are.
+ */
+NodalChart edge_scalar_chart(const SurfaceDiscretization &discretization);
 
 /** Unit normals at the nodes: averages of the cells' normals there, weighted by x,1 x x,2, projected to the admissible
  * directions. */

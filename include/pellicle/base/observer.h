@@ -30,6 +30,13 @@ struct StepReport
   std::vector<std::pair<std::string, double>> quantities; ///< name, value in the user's units
 };
 
+/** A row of a table that an analysis writes, `<table>.csv`. */
+struct TableRow
+{
+  std::string table;
+  std::vector<std::pair<std::string, std::string>> fields; ///< column, text
+};
+
 /** Watches a run. Solvers call it; files and the terminal implement it. */
 class Observer
 {
@@ -37,6 +44,7 @@ public:
   virtual ~Observer() = default;
   virtual void on_iteration(const IterationReport & /*report*/) {}
   virtual void on_step(const StepReport & /*report*/) {}
+  virtual void on_row(const TableRow & /*row*/) {}
   virtual void on_message(const std::string & /*text*/) {}
 };
 } // namespace pellicle

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/constants.h>
 #include <pellicle/discretization/surface_discretization.h>
 
 #include <functional>
@@ -13,19 +14,19 @@ namespace pellicle
 struct StartShape
 {
   std::string name      = "prolate"; ///< see start_shape_names()
-  double area           = 12.566370614359172;
+  double area           = 4. * pi;
   double reduced_volume = 0.95;
   std::array<double, 3> semi_axes{{1., 1., 1.}}; ///< `ellipsoid`
   double torus_ratio = 1.4142135623730951;       ///< R/r of `torus`
   std::string file;                              ///< `file`: Gmsh MSH 4.1
 
-  double cap_angle           = 1.5707963267948966; ///< `cap`: polar angle of the rim in radians
-  double tube_ratio          = 4.;                 ///< `tube`: length/radius
-  double inner_radius        = 0.1;                ///< `annulus`, which has no use of `area`
-  double outer_radius        = 1.;                 ///< `annulus`
-  double smallest_cell       = 0.; ///< `annulus`: size of the cells at the inner rim, as refined; 0: not graded
-  double smallest_outer_cell = 0.; ///< `annulus`: the same at the outer rim
-  unsigned int radial_cells  = 8;  ///< `annulus`: between the rims on the coarsest mesh
+  double cap_angle           = 0.5 * pi; ///< `cap`: polar angle of the rim in radians
+  double tube_ratio          = 4.;       ///< `tube`: length/radius
+  double inner_radius        = 0.1;      ///< `annulus`, which has no use of `area`
+  double outer_radius        = 1.;       ///< `annulus`
+  double smallest_cell       = 0.;       ///< `annulus`: size of the cells at the inner rim, as refined; 0: not graded
+  double smallest_outer_cell = 0.;       ///< `annulus`: the same at the outer rim
+  unsigned int radial_cells  = 8;        ///< `annulus`: between the rims on the coarsest mesh
 
   double region_fraction = 0.; ///< area of region "domain" (see with_polar_region()) over `area`; 0: no region
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pellicle
@@ -107,6 +108,9 @@ struct SurfaceDiscretization
   std::vector<EdgeLoop> edges;                  ///< rims of an open surface and lines around regions
   std::vector<unsigned int> cell_region;        ///< index into region_names, one per cell; empty: one region
   std::vector<std::string> region_names;        ///< the first is the membrane outside all other regions
+
+  /** Nodes that stand at the place of another one (copy, original), where a surface is split along a line. */
+  std::vector<std::pair<std::size_t, std::size_t>> twins;
 
   std::size_t n_local() const { return tables.n_nodes; }
   bool is_closed() const

@@ -3,6 +3,8 @@
 
 #include <pellicle/models/cell_geometry.h>
 
+#include <vector>
+
 namespace pellicle
 {
 /** Where a line parallel to z passes through the surface. */

@@ -5,6 +5,9 @@
 
 #include <deal.II/base/polynomial.h>
 
+#include <array>
+#include <vector>
+
 namespace pellicle
 {
 /** Position and its parametric derivatives at a point of a cell. On a meridian those with respect to the second

@@ -5,6 +5,8 @@
 #include <pellicle/discretization/start_shapes.h>
 #include <pellicle/potentials/effect.h>
 
+#include <vector>
+
 namespace pellicle
 {
 /**

@@ -4,6 +4,9 @@
 #include <pellicle/discretization/surface_discretization.h>
 #include <pellicle/models/surface_sample.h>
 
+#include <string>
+#include <vector>
+
 namespace pellicle
 {
 /** A field of the surface's own degree, to be written. */

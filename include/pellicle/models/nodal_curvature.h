@@ -3,6 +3,8 @@
 
 #include <pellicle/discretization/surface_discretization.h>
 
+#include <vector>
+
 namespace pellicle
 {
 /**

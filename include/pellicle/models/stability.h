@@ -6,6 +6,7 @@
 #include <pellicle/solvers/linear_solver.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace pellicle
@@ -31,6 +32,7 @@ struct Stability
   int negative_eigenvalues = 0;
   std::vector<double> lowest;      ///< ascending
   std::vector<NodalVectors> modes; ///< nodal displacements that belong to `lowest`, largest component positive
+  std::string failure;             ///< why there are no eigenvalues, if they were asked for and not found
 };
 
 /**

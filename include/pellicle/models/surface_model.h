@@ -7,6 +7,8 @@
 #include <pellicle/models/surface_sample.h>
 #include <pellicle/models/surface_scene.h>
 
+#include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,6 +18,8 @@
 
 namespace pellicle
 {
+class SurfaceBranch;
+
 /**
  * A surface built from a scene: mesh, fields, lists, in internal units (length sqrt(A/4 pi), the effects' energy,
  * origin at the centroid). What users ask for is scaled back.
@@ -36,6 +40,34 @@ public:
    * of the equilibrium, and downhill where it is unstable and the scene wants that. On failure the state before the
    * call is restored. */
   StepResult solve(int step, Observer &observer);
+
+  /** A state of a branch that was followed. */
+  struct PointOnBranch
+  {
+    BranchPoint point;
+    std::optional<int> negative_eigenvalues;
+  };
+
+  /**
+   * Follows the branch of equilibria through the present one, along a parameter whose value is now `value`, as the
+   * scene's section Continuation says.
+   *
+   * @param scene_at  the scene with another value of the parameter; may throw UserError.
+   * @param on_point  called at every point of the branch, with the model at that state.
+   * Throws UserError if no listed effect knows the derivative with respect to the parameter.
+   */
+  ContinuationResult follow_branch(const BranchParameters &branch, double value,
+                                   const std::function<SurfaceScene(double)> &scene_at, Observer &observer,
+                                   const std::function<void(const PointOnBranch &)> &on_point);
+
+  /** The potential that is stationary at an equilibrium: energies and penalties; and its derivative with respect to a
+   * parameter of the scene, at the equilibrium (none if no listed effect knows it). Internal units, parameters in the
+   * user's. */
+  double potential_energy() const;
+  std::optional<double> energy_slope(const SurfaceScene &scene, const std::string &parameter) const;
+
+  /** Goes to an equilibrium that was found before, with the same parameters. */
+  void go_to(const SurfaceState &state) { problem->set_state(state); }
 
   /** Goes to the state at which the last solve gave up, so that it can be looked at. Does nothing if none did. */
   void show_last_iterate();
@@ -61,6 +93,14 @@ public:
   const Scales &scales() const { return unit; }
 
 private:
+  /** What the equations live on: its first nodes are those of mesh(). */
+  const SurfaceDiscretization &solved_mesh() const { return split ? *split : discretization; }
+  /** Values at the nodes of mesh(). */
+  NodalVectors on_mesh(NodalVectors values) const
+  {
+    values.resize(3 * discretization.n_nodes);
+    return values;
+  }
   void add_node_noise(const VesicleParameters &vesicle);
   void check_constraints_are_independent();
   void take_from_mesh(const SurfaceScene &scene);
@@ -68,11 +108,22 @@ private:
   void look_at_stability(EquilibriumSearch &search);
   void count_unknowns();
 
+  struct PlaceOnBranch
+  {
+    SurfaceState state;
+    double parameter         = 0.;
+    int negative_eigenvalues = 0;
+  };
+  /** Between two places with different numbers of unstable modes, the model being at the second one: goes to where an
+   * eigenvalue is zero, and returns those there. Throws SolveError. */
+  Stability go_to_bifurcation(SurfaceBranch &along, const PlaceOnBranch &before, const PlaceOnBranch &after);
+
   NewtonParameters newton;
   Scales unit;
   Timing &timing;
   std::array<double, 3> centroid{};
   SurfaceDiscretization discretization;
+  std::optional<SurfaceDiscretization> split; ///< along the line around a domain, where the moment jumps there
   std::unique_ptr<SurfaceProblem> problem;
   std::unique_ptr<LinearSolver> solver;
   SurfaceState last_iterate;                                     ///< of the last solve that failed

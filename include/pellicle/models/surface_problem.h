@@ -57,6 +57,11 @@ public:
    * UserError if it would hold back tangential motion that a potential sees. */
   void use_chart(PositionChart chart, const NodalVectors &mesh_reference);
 
+  /** Whether the chart is renewed when the shape has moved far in it (the default). While it is not, directions keep
+   * their meaning. */
+  void renew_chart_on_the_way(const bool renew) { renews_chart = renew; }
+  PositionChart position_chart() const { return chart; }
+
   const SurfaceState &state() const { return current; }
   /** Takes over a state and eliminates the internal fields. Throws SolveError if that fails. */
   void set_state(SurfaceState state);
@@ -72,6 +77,13 @@ public:
     std::vector<NodalVectors> constraints;
   };
   NodalForces nodal_forces() const;
+  /** Gradient of further energies (of fields that the layout has) with respect to the unknowns of the present chart;
+   * zero in mesh equations. As long as a direction. */
+  std::vector<double> gradient_of(const PotentialSet &further) const;
+  /** Sum of further energies at the present state. */
+  double value_of(const PotentialSet &further) const;
+  /** Area of the node for each unknown that moves it against a physical force, zero for all others. */
+  std::vector<double> area_weights() const;
   std::vector<const AssemblyCounters *> counters() const;
 
   void linearize() override;
@@ -87,6 +99,8 @@ public:
   double try_step(const std::vector<double> &direction, double length) override;
   void accept_trial() override;
   double displacement(const std::vector<double> &direction) const override;
+  /** The direction that comes nearest to nodal displacements; its entries for other fields are zero. */
+  std::vector<double> direction_of(const NodalVectors &displacements) const;
   /** Nodal displacements along a direction. */
   NodalVectors displacements(const std::vector<double> &direction) const;
   double energy() const override;
@@ -111,6 +125,7 @@ private:
   void renew_gauge();
 
   PositionChart chart   = PositionChart::graph;
+  bool renews_chart     = true;
   double moved_in_chart = 0.; ///< largest displacement of a node, summed over steps since the chart was made
   std::unique_ptr<BorderedSystem> system;
   PotentialSet mesh_set;

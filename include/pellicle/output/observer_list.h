@@ -27,6 +27,11 @@ public:
     for (Observer *observer : observers)
       observer->on_step(report);
   }
+  void on_row(const TableRow &row) override
+  {
+    for (Observer *observer : observers)
+      observer->on_row(row);
+  }
   void on_message(const std::string &text) override
   {
     for (Observer *observer : observers)

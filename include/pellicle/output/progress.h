@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <iosfwd>
+#include <ostream>
 #include <string>
 
 namespace pellicle

@@ -5,6 +5,8 @@
 #include <pellicle/output/tables.h>
 
 #include <filesystem>
+#include <map>
+#include <string>
 
 namespace pellicle
 {
@@ -15,7 +17,8 @@ namespace pellicle
  */
 void prepare_output_directory(const std::filesystem::path &directory);
 
-/** Keeps `history.csv` and `convergence.csv` of a run; both start empty. Under MPI only rank 0 constructs one. */
+/** Keeps `history.csv` and `convergence.csv` of a run, which start empty, and the tables of analyses, which start with
+ * their first row. Under MPI only rank 0 constructs one. */
 class RunFiles : public Observer
 {
 public:
@@ -24,9 +27,12 @@ public:
 
   void on_iteration(const IterationReport &report) override;
   void on_step(const StepReport &report) override;
+  void on_row(const TableRow &row) override;
 
 private:
-  HistoryTable history;
+  std::filesystem::path directory;
+  GrowingTable history;
   ConvergenceTable convergence;
+  std::map<std::string, GrowingTable> tables;
 };
 } // namespace pellicle

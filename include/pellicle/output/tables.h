@@ -56,23 +56,26 @@ private:
 };
 
 /**
- * `history.csv`: one row per step. Columns: step, the stepped parameter under its name (if a parameter is stepped), the
- * quantities. The first row fixes the columns; a quantity that turns up later gets a new last column and the file is
- * rewritten with empty fields above it. A quantity that is missing in a row leaves its field empty.
+ * A table that grows by rows of named fields. The first row fixes the columns; a column that turns up later becomes the
+ * last one and the file is rewritten with empty fields above it. A column that is missing in a row leaves its field
+ * empty.
  */
-class HistoryTable
+class GrowingTable
 {
 public:
-  explicit HistoryTable(const std::filesystem::path &path);
-  void append(const StepReport &report);
+  using Row = std::vector<std::pair<std::string, std::string>>; ///< column, field
+
+  explicit GrowingTable(const std::filesystem::path &path);
+  void append(Row row);
 
 private:
-  using Row = std::vector<std::pair<std::string, std::string>>; // column, field
-
   std::string line_of(const Row &row) const;
 
   LineFile file;
   std::vector<std::string> columns;
   std::vector<Row> rows;
 };
+
+/** Row of `history.csv`: step, the stepped parameter under its name (if a parameter is stepped), the quantities. */
+GrowingTable::Row history_row(const StepReport &report);
 } // namespace pellicle

@@ -73,7 +73,8 @@ enum class EdgeSupport
   free,    ///< nothing
   hinged,  ///< its place is held
   clamped, ///< its place and the tangent plane there are held
-  inner    ///< no rim: the surface goes on
+  inner,   ///< no rim: the surface goes on
+  far_side ///< an inner line again, seen from the other side, where the surface is split along it
 };
 
 /** An edge loop of the scene's surface. */
@@ -88,17 +89,32 @@ struct SceneEdge
 /** What effects may take from the scene besides their own parameters, and from each other; internal units. */
 struct SceneTargets
 {
-  double area   = 0.; ///< `Vesicle/Area`
-  double volume = 0.; ///< from `Vesicle/Reduced volume`
+  double area             = 0.; ///< `Vesicle/Area`
+  double volume           = 0.; ///< from `Vesicle/Reduced volume`
+  double volume_of_sphere = 0.; ///< of the given area
   /** Bending by region (0: the membrane outside all other regions); empty without bending. */
   std::vector<BendingLaw> bending = {};
   /** Whether the scene lists the bending energy. */
   bool has_bending() const { return !bending.empty() && bending[0].rigidity > 0.; }
   double gaussian_modulus      = 0.; ///< kappa_G; 0 without the effect
+  double gaussian_difference   = 0.; ///< kappa_G of the domain minus that of the membrane
   std::vector<SceneEdge> edges = {};
   int euler_characteristic     = 2;
   /** Metric of the reference shape at every quadrature point, for elastic skins; null while a scene is only checked. */
   std::shared_ptr<const std::vector<ReferenceMetric>> reference = nullptr;
+};
+
+/**
+ * Derivative of a scene's energies and constraints with respect to a parameter, per unit of the parameter as the user
+ * gives it; energies and targets in internal units. What continuation needs.
+ */
+struct ParameterDerivative
+{
+  std::string parameter;                         ///< "Section/Name"
+  std::shared_ptr<const Potential> energy;       ///< dE/dp; null: none
+  std::string quantity;                          ///< the constraint of this quantity has the target's derivative ...
+  double target                            = 0.; ///< ... dg_0/dp
+  std::shared_ptr<const Potential> measure = nullptr; ///< ... and the measure's, dg/dp at fixed fields; null: none
 };
 
 /**
@@ -122,6 +138,12 @@ public:
   virtual std::optional<double> typical_energy(double /*length*/) const { return std::nullopt; }
   /** Tells the other effects of the scene what they may need; called for all effects before contribute(). */
   virtual void prepare(const Scales & /*scales*/, SceneTargets & /*targets*/) const {}
+  /** Derivatives with respect to the parameters in which continuation is possible. */
+  virtual std::vector<ParameterDerivative> derivatives(const Scales & /*scales*/,
+                                                       const SceneTargets & /*targets*/) const
+  {
+    return {};
+  }
   /** Adds energies and constraints in internal units. */
   virtual void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const = 0;
 };

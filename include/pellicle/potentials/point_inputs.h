@@ -33,8 +33,9 @@ enum class FieldRole
 /** What the values of a field are. */
 enum class FieldSpace
 {
-  vectors,       ///< of R^3, at all nodes
-  edge_conormals ///< unit vectors orthogonal to edge loops, at their nodes
+  vectors,        ///< of R^3, at all nodes
+  edge_conormals, ///< unit vectors at the nodes of edge loops
+  edge_scalars    ///< numbers at the nodes of edge loops, the first component of the vectors
 };
 
 /** A field that a density reads: its name, how far it is differentiated, its role, and what its values are. */

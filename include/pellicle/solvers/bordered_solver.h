@@ -4,6 +4,7 @@
 #include <pellicle/assembly/communicator.h>
 #include <pellicle/solvers/linear_solver.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 

@@ -60,6 +60,9 @@ private:
   /** Takes one step; false if none was found. */
   bool advance(EquilibriumProblem &problem, NewtonResult &result, IterationReport &report);
 
+  /** Makes the trial the state; after a full step the drag falls. `displacement` is that of the full step. */
+  void accept_trial(EquilibriumProblem &problem, double length, double displacement, IterationReport &report);
+
   /** False when the drag is beyond all reason. */
   bool increase_drag(NewtonResult &result);
 

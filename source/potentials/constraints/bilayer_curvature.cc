@@ -2,6 +2,7 @@
 #include <pellicle/base/exceptions.h>
 #include <pellicle/potentials/constraints/bilayer_curvature.h>
 #include <pellicle/potentials/density_potential.h>
+#include <pellicle/potentials/energies/surface_tension.h>
 
 namespace pellicle
 {
@@ -20,6 +21,25 @@ Constraint curvature_constraint(const std::string &effect, const SceneTargets &t
   constraint.multiplier = "bilayer_coupling_multiplier";
   constraint.dimension  = dimensions::length;
   return constraint;
+}
+
+/** Derivatives with respect to the target M0, and to spontaneous curvatures: g has the term C0 A/2, of each region. */
+std::vector<ParameterDerivative> curvature_derivatives(const std::string &section, const Scales &scales,
+                                                       const SceneTargets &targets)
+{
+  const std::string quantity = "integrated_mean_curvature";
+  std::vector<ParameterDerivative> list{
+      {section + "/Integrated mean curvature", nullptr, quantity, 1. / scales.of(dimensions::length)}};
+  const std::vector<std::string> sections{"Helfrich bending", "Lipid domain"};
+  for (std::size_t region = 0; region < targets.bending.size(); ++region)
+  {
+    const Where where =
+        targets.bending.size() > 1 ? Where{Where::Part::region, region_name(region)} : Where{Where::Part::surface, ""};
+    const SurfaceTension half_area{0.5 / scales.of(dimensions::curvature)};
+    list.push_back({sections.at(region) + "/Spontaneous curvature", nullptr, quantity, 0.,
+                    std::make_shared<DensityPotential<SurfaceTension>>("half the area", half_area, where)});
+  }
+  return list;
 }
 
 void bind_target(ParameterSection &section, double &integrated_mean_curvature)
@@ -99,5 +119,17 @@ void AreaDifferenceElasticityEffect::contribute(const Scales &scales, const Scen
   constraint.stiffness                       = p.stiffness;
   constraint.energy                          = "area_difference_energy";
   set.constraints.push_back(constraint);
+}
+
+std::vector<ParameterDerivative> BilayerCouplingEffect::derivatives(const Scales &scales,
+                                                                    const SceneTargets &targets) const
+{
+  return curvature_derivatives("Bilayer coupling", scales, targets);
+}
+
+std::vector<ParameterDerivative> AreaDifferenceElasticityEffect::derivatives(const Scales &scales,
+                                                                             const SceneTargets &targets) const
+{
+  return curvature_derivatives("Area difference elasticity", scales, targets);
 }
 } // namespace pellicle

@@ -35,4 +35,10 @@ void VolumeConstraintEffect::contribute(const Scales &scales, const SceneTargets
   volume.dimension       = dimensions::volume;
   set.constraints.push_back(volume);
 }
+
+std::vector<ParameterDerivative> VolumeConstraintEffect::derivatives(const Scales & /*scales*/,
+                                                                     const SceneTargets &targets) const
+{
+  return {{"Vesicle/Reduced volume", nullptr, "volume", targets.volume_of_sphere}};
+}
 } // namespace pellicle

@@ -3,6 +3,7 @@
 #include <pellicle/potentials/constraints/lipid_domain.h>
 #include <pellicle/potentials/constraints/total_area.h>
 #include <pellicle/potentials/density_potential.h>
+#include <pellicle/potentials/energies/helfrich_bending.h>
 
 #include <algorithm>
 
@@ -52,5 +53,13 @@ void LipidDomainEffect::contribute(const Scales & /*scales*/, const SceneTargets
   area.multiplier      = "domain_tension";
   area.dimension       = dimensions::area;
   set.constraints.push_back(area);
+}
+
+std::vector<ParameterDerivative> LipidDomainEffect::derivatives(const Scales &scales, const SceneTargets &targets) const
+{
+  const Where domain{Where::Part::region, region_name(1)};
+  return {{"Lipid domain/Spontaneous curvature",
+           spontaneous_curvature_derivative(1. / scales.of(dimensions::curvature), domain), "", 0.},
+          {"Lipid domain/Area fraction", nullptr, "domain_area", targets.area}};
 }
 } // namespace pellicle

@@ -9,8 +9,14 @@ namespace pellicle
 {
 void TetherParameters::bind(ParameterSection &section)
 {
+  section.choice(
+      "Control", control, {"length", "force"},
+      "What is given. length: Length. force: Force; the force that is needed first rises above the plateau 2 pi "
+      "sqrt(2 kappa sigma), has a maximum there (a fold) and falls back.");
   section.number("Length", length, Range::any(), dimensions::length,
-                 "Height L of the tip above the plane of the ring.");
+                 "Height L of the tip above the plane of the ring, for Control = length.");
+  section.number("Force", force, Range::any(), dimensions::line_tension,
+                 "Force on the tip for Control = force, positive outwards.");
   section.number("Ring radius", ring_radius, Range::positive(), dimensions::length,
                  "Radius of the outer ring, at which the membrane is clamped flat.");
   section.number("Tip radius", tip_radius, Range::positive(), dimensions::length,
@@ -48,15 +54,38 @@ void TetherEffect::contribute(const Scales &scales, const SceneTargets &targets,
   set.energies.push_back(
       std::make_shared<DensityPotential<SurfaceTension>>("surface tension", SurfaceTension{p.tension}));
   set.prescribed.push_back({"tension", p.tension, dimensions::tension});
+  const Where tip{Where::Part::edge, "tip"};
+  if (p.control == "force")
+  {
+    set.energies.push_back(
+        std::make_shared<DensityPotential<TipHeight>>("tip load", TipHeight{p.tip_radius, -p.force}, tip));
+    set.prescribed.push_back({"force", p.force, dimensions::line_tension});
+    return;
+  }
   Constraint height;
-  height.measure =
-      std::make_shared<DensityPotential<TipHeight>>(name(), TipHeight{p.tip_radius}, Where{Where::Part::edge, "tip"});
+  height.measure         = std::make_shared<DensityPotential<TipHeight>>(name(), TipHeight{p.tip_radius, 1.}, tip);
   height.target          = p.length;
   height.quantity        = "length";
-  height.is_own_quantity = true;
   height.multiplier      = "force";
   height.multiplier_sign = -1.;
   height.dimension       = dimensions::length;
   set.constraints.push_back(height);
+}
+
+std::vector<ParameterDerivative> TetherEffect::derivatives(const Scales &scales, const SceneTargets & /*targets*/) const
+{
+  const Where tip{Where::Part::edge, "tip"};
+  ParameterDerivative control{"Tether/Length", nullptr, "length", 1. / scales.of(dimensions::length)};
+  if (parameters.control == "force")
+    control = {
+        "Tether/Force",
+        std::make_shared<DensityPotential<TipHeight>>(
+            name(), TipHeight{parameters.tip_radius / scales.length, -1. / scales.of(dimensions::line_tension)}, tip),
+        "", 0.};
+  return {
+      control,
+      {"Tether/Tension",
+       std::make_shared<DensityPotential<SurfaceTension>>(name(), SurfaceTension{1. / scales.of(dimensions::tension)}),
+       "", 0.}};
 }
 } // namespace pellicle

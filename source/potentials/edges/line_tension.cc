@@ -39,4 +39,17 @@ void LineTensionEffect::contribute(const Scales &scales, const SceneTargets &tar
         "The effect 'line tension' needs a line that can move: an open start shape with Vesicle/Rim = free, "
         "or the effect 'lipid domain'.");
 }
+
+std::vector<ParameterDerivative> LineTensionEffect::derivatives(const Scales &scales, const SceneTargets &targets) const
+{
+  std::vector<ParameterDerivative> list;
+  for (const SceneEdge &edge : targets.edges)
+    if (edge.support == EdgeSupport::free || edge.support == EdgeSupport::inner)
+      list.push_back(
+          {"Line tension/Line tension",
+           std::make_shared<DensityPotential<LineTension>>(
+               name(), LineTension{1. / scales.of(dimensions::line_tension)}, Where{Where::Part::edge, edge.name}),
+           "", 0.});
+  return list;
+}
 } // namespace pellicle

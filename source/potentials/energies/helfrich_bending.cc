@@ -62,6 +62,31 @@ void HelfrichBending::add_derivatives(const PointInputs<double, 2> &inputs, cons
   view.add_hessian(moment, 0, moment, 0, identity3(-J / kappa));
 }
 
+namespace
+{
+/** -n . P per unit of C0. */
+struct SpontaneousCurvatureDerivative
+{
+  static constexpr std::array<FieldUse, 2> fields{
+      {{"position", Derivatives::first, FieldRole::independent}, {"moment", Derivatives::none, FieldRole::internal}}};
+  static constexpr bool reparametrisation_invariant = true;
+
+  double factor = 1.;
+
+  template <typename Number>
+  Number density(const PointInputs<Number, 2> &inputs, const PointData & /*data*/) const
+  {
+    return -factor * dot(cross(inputs[0].d1(), inputs[0].d2()), inputs[1].value());
+  }
+};
+} // namespace
+
+std::shared_ptr<const Potential> spontaneous_curvature_derivative(const double factor, const Where &where)
+{
+  return std::make_shared<DensityPotential<SpontaneousCurvatureDerivative>>(
+      "spontaneous curvature", SpontaneousCurvatureDerivative{factor}, where);
+}
+
 void HelfrichBendingParameters::bind(ParameterSection &section)
 {
   section.number("Bending rigidity", bending_rigidity, Range::positive(), dimensions::energy,
@@ -114,8 +139,25 @@ void HelfrichBendingEffect::contribute(const Scales & /*scales*/, const SceneTar
     if (edge.support == EdgeSupport::clamped)
       set.energies.push_back(
           std::make_shared<DensityPotential<ClampedEdge>>(name(), ClampedEdge{edge.conormals}, where));
-    else if (edge.support != EdgeSupport::inner && targets.gaussian_modulus != 0.)
-      set.energies.push_back(std::make_shared<DensityPotential<HingedEdge>>(name(), HingedEdge{}, where));
+    else if (edge.support == EdgeSupport::inner || edge.support == EdgeSupport::far_side
+                 ? targets.gaussian_difference != 0.
+                 : targets.gaussian_modulus != 0.)
+    {
+      set.energies.push_back(std::make_shared<DensityPotential<HingedEdge>>(
+          name(), HingedEdge{edge.support == EdgeSupport::far_side ? 1. : -1.}, where));
+      if (edge.support != EdgeSupport::far_side)
+        set.energies.push_back(
+            std::make_shared<DensityPotential<ConormalConstraint>>(name(), ConormalConstraint{}, where));
+    }
   }
+}
+
+std::vector<ParameterDerivative> HelfrichBendingEffect::derivatives(const Scales &scales,
+                                                                    const SceneTargets &targets) const
+{
+  const Where where =
+      targets.bending.size() > 1 ? Where{Where::Part::region, region_name(0)} : Where{Where::Part::surface, ""};
+  return {{"Helfrich bending/Spontaneous curvature",
+           spontaneous_curvature_derivative(1. / scales.of(dimensions::curvature), where), "", 0.}};
 }
 } // namespace pellicle

@@ -28,4 +28,12 @@ void PressureEffect::contribute(const Scales &scales, const SceneTargets & /*tar
   set.energies.push_back(std::make_shared<DensityPotential<Pressure>>(name(), Pressure{pressure}));
   set.prescribed.push_back({"pressure", pressure, dimensions::pressure});
 }
+
+std::vector<ParameterDerivative> PressureEffect::derivatives(const Scales &scales,
+                                                             const SceneTargets & /*targets*/) const
+{
+  return {{"Pressure/Pressure",
+           std::make_shared<DensityPotential<Pressure>>(name(), Pressure{1. / scales.of(dimensions::pressure)}), "",
+           0.}};
+}
 } // namespace pellicle

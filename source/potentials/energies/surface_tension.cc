@@ -34,4 +34,13 @@ void SurfaceTensionEffect::contribute(const Scales &scales, const SceneTargets &
   set.energies.push_back(std::make_shared<DensityPotential<SurfaceTension>>(name(), SurfaceTension{tension}));
   set.prescribed.push_back({"tension", tension, dimensions::tension});
 }
+
+std::vector<ParameterDerivative> SurfaceTensionEffect::derivatives(const Scales &scales,
+                                                                   const SceneTargets & /*targets*/) const
+{
+  return {
+      {"Surface tension/Surface tension",
+       std::make_shared<DensityPotential<SurfaceTension>>(name(), SurfaceTension{1. / scales.of(dimensions::tension)}),
+       "", 0.}};
+}
 } // namespace pellicle

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/constants.h>
 #include <pellicle/potentials/effect.h>
 #include <pellicle/potentials/surface_measures.h>
 
@@ -65,7 +66,7 @@ struct BilayerSelfTerm
 
 struct BilayerCouplingParameters
 {
-  double integrated_mean_curvature = 12.566370614359172;
+  double integrated_mean_curvature = 4. * pi;
 
   void bind(ParameterSection &section);
 };
@@ -77,6 +78,7 @@ public:
   const std::string &name() const override;
   std::string description() const override;
   void bind(ParameterSection &section) override { parameters.bind(section); }
+  std::vector<ParameterDerivative> derivatives(const Scales &scales, const SceneTargets &targets) const override;
   void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
 
   BilayerCouplingParameters parameters;
@@ -84,7 +86,7 @@ public:
 
 struct AreaDifferenceElasticityParameters
 {
-  double integrated_mean_curvature = 12.566370614359172;
+  double integrated_mean_curvature = 4. * pi;
   double stiffness                 = 1.;
 
   void bind(ParameterSection &section);
@@ -98,6 +100,7 @@ public:
   const std::string &name() const override;
   std::string description() const override;
   void bind(ParameterSection &section) override { parameters.bind(section); }
+  std::vector<ParameterDerivative> derivatives(const Scales &scales, const SceneTargets &targets) const override;
   void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
 
   AreaDifferenceElasticityParameters parameters;

@@ -39,6 +39,7 @@ public:
   const std::string &name() const override;
   std::string description() const override;
   void bind(ParameterSection &section) override { parameters.bind(section); }
+  std::vector<ParameterDerivative> derivatives(const Scales &scales, const SceneTargets &targets) const override;
   void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
 
   VolumeConstraintParameters parameters;

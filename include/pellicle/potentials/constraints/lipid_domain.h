@@ -28,6 +28,7 @@ public:
   std::string description() const override;
   void bind(ParameterSection &section) override { parameters.bind(section); }
   void prepare(const Scales &scales, SceneTargets &targets) const override;
+  std::vector<ParameterDerivative> derivatives(const Scales &scales, const SceneTargets &targets) const override;
   void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
 
   LipidDomainParameters parameters;

@@ -1,32 +1,36 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/constants.h>
 #include <pellicle/potentials/effect.h>
 
 namespace pellicle
 {
-/** g = mean height of the tip's rim: integral of z ds over its length. */
+/** factor times the mean height of the tip's rim, integral of z ds over its length. */
 struct TipHeight
 {
   static constexpr std::array<FieldUse, 1> fields{{{"position", Derivatives::first, FieldRole::independent}}};
   static constexpr bool reparametrisation_invariant = true;
 
   double tip_radius = 1.;
+  double factor     = 1.;
 
   template <typename Number>
   Number density(const PointInputs<Number, 1> &inputs, const PointData & /*data*/) const
   {
-    constexpr double two_pi = 6.283185307179586;
-    return inputs[0].value()[2] * norm(inputs[0].d1()) / (two_pi * tip_radius);
+    constexpr double two_pi = 2. * pi;
+    return factor * inputs[0].value()[2] * norm(inputs[0].d1()) / (two_pi * tip_radius);
   }
 };
 
 struct TetherParameters
 {
-  double length      = 15.;
-  double ring_radius = 20.;
-  double tip_radius  = 0.2;
-  double tension     = 0.5;
+  std::string control = "length";
+  double length       = 15.;
+  double force        = 0.;
+  double ring_radius  = 20.;
+  double tip_radius   = 0.2;
+  double tension      = 0.5;
 
   void bind(ParameterSection &section);
 };
@@ -44,6 +48,7 @@ public:
   std::string description() const override;
   void bind(ParameterSection &section) override { parameters.bind(section); }
   void check() const override;
+  std::vector<ParameterDerivative> derivatives(const Scales &scales, const SceneTargets &targets) const override;
   void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
 
   TetherParameters parameters;

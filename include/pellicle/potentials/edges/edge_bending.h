@@ -36,7 +36,8 @@ struct ClampedEdge
   }
 };
 
-/** -nu . P along an edge whose conormal is an unknown. */
+/** -nu . P along an edge whose conormal is an unknown; on the far side of a split line, where nu points inwards, +nu .
+ * P. */
 struct HingedEdge
 {
   static constexpr std::array<FieldUse, 3> fields{
@@ -45,10 +46,31 @@ struct HingedEdge
        {"edge conormal", Derivatives::first, FieldRole::internal, FieldSpace::edge_conormals}}};
   static constexpr bool reparametrisation_invariant = true;
 
+  double sign = -1.;
+
   template <typename Number>
   Number density(const PointInputs<Number, 3> &inputs, const PointData & /*data*/) const
   {
-    return -dot(inputs[2].value(), inputs[1].value()) * norm(inputs[0].d1());
+    return sign * dot(inputs[2].value(), inputs[1].value()) * norm(inputs[0].d1());
+  }
+};
+
+/**
+ * mu nu . x,1: a multiplier field keeps an unknown conormal orthogonal to its edge, wherever that moves. (On a meridian
+ * it is so by construction, and there is no mu.)
+ */
+struct ConormalConstraint
+{
+  static constexpr std::array<FieldUse, 3> fields{
+      {{"position", Derivatives::first, FieldRole::independent},
+       {"edge conormal", Derivatives::none, FieldRole::internal, FieldSpace::edge_conormals},
+       {"edge multiplier", Derivatives::none, FieldRole::internal, FieldSpace::edge_scalars}}};
+  static constexpr bool reparametrisation_invariant = true;
+
+  template <typename Number>
+  Number density(const PointInputs<Number, 3> &inputs, const PointData & /*data*/) const
+  {
+    return inputs[2].value()[0] * dot(inputs[1].value(), inputs[0].d1());
   }
 };
 

@@ -7,14 +7,16 @@ namespace pellicle
 {
 struct GaussianCurvatureParameters
 {
-  double gaussian_modulus = -1.;
+  double gaussian_modulus  = -1.;
+  double domain_difference = 0.;
 
   void bind(ParameterSection &section);
 };
 
 /**
  * The effect "gaussian curvature": kappa_G times the integral of K. On a closed surface it is the constant 2 pi chi
- * kappa_G and costs nothing; with free or hinged rims it acts there, by the geodesic curvature (see GeodesicCurvature).
+ * kappa_G and costs nothing; with free or hinged rims it acts there, by the geodesic curvature (see GeodesicCurvature),
+ * and so it does on the line around a domain of another modulus.
  */
 class GaussianCurvatureEffect : public Effect
 {

@@ -39,6 +39,7 @@ public:
   {
     return std::abs(parameters.line_tension) * length;
   }
+  std::vector<ParameterDerivative> derivatives(const Scales &scales, const SceneTargets &targets) const override;
   void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
 
   LineTensionParameters parameters;

@@ -47,6 +47,9 @@ struct HelfrichBending
                        const PointDerivativeView &view) const;
 };
 
+/** factor times -n . P, the derivative of the bending energy with respect to C0. */
+std::shared_ptr<const Potential> spontaneous_curvature_derivative(double factor, const Where &where);
+
 struct HelfrichBendingParameters
 {
   double bending_rigidity      = 1.;
@@ -64,6 +67,7 @@ public:
   void bind(ParameterSection &section) override { parameters.bind(section); }
   std::optional<double> typical_energy(double length) const override;
   void prepare(const Scales &scales, SceneTargets &targets) const override;
+  std::vector<ParameterDerivative> derivatives(const Scales &scales, const SceneTargets &targets) const override;
   void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
 
   HelfrichBendingParameters parameters;

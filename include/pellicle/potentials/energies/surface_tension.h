@@ -42,6 +42,7 @@ public:
   std::string description() const override;
   void bind(ParameterSection &section) override { parameters.bind(section); }
   std::optional<double> typical_energy(double length) const override;
+  std::vector<ParameterDerivative> derivatives(const Scales &scales, const SceneTargets &targets) const override;
   void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
 
   SurfaceTensionParameters parameters;

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/models/surface_model.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace pellicle
+{
+/**
+ * Notices when a step in a parameter has left the branch of equilibria, as it does beyond a fold. Along a branch the
+ * potential energy changes by the integral of its derivative with respect to the parameter (the conjugate force: P for
+ * the volume, the force on a tip for its height), which is known at both ends of a step; a jump changes it by something
+ * else.
+ */
+class JumpDetector
+{
+public:
+  explicit JumpDetector(std::string parameter)
+      : parameter(std::move(parameter))
+  {
+  }
+
+  /** Whether the model, now at an equilibrium with the value p, is on another branch than at the last accepted state.
+   */
+  bool has_jumped(const SurfaceModel &model, const SurfaceScene &scene, double p) const;
+  /** Takes the model's state as the one to compare with. */
+  void accept(const SurfaceModel &model, const SurfaceScene &scene, double p);
+
+private:
+  struct State
+  {
+    double p = 0., energy = 0., slope = 0.;
+  };
+  std::optional<State> state_of(const SurfaceModel &model, const SurfaceScene &scene, double p) const;
+
+  std::string parameter;
+  std::optional<State> last;
+};
+} // namespace pellicle

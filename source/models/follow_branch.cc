@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// SurfaceModel::follow_branch(): the model's parameter, and what happens at bifurcations.
+#include <pellicle/base/exceptions.h>
+#include <pellicle/models/surface_branch.h>
+#include <pellicle/models/surface_model.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pellicle
+{
+namespace
+{
+double scale_of(const BranchParameters &branch, const double value)
+{
+  if (branch.scale > 0.)
+    return branch.scale;
+  const double distance = branch.steps.upper - branch.steps.lower;
+  if (std::isfinite(distance) && distance > 0.)
+    return distance;
+  return value != 0. ? std::abs(value) : 1.;
+}
+
+std::vector<ParameterDerivative> of_parameter(std::vector<ParameterDerivative> all, const std::string &parameter)
+{
+  std::set<std::string> names;
+  for (const ParameterDerivative &derivative : all)
+    names.insert(derivative.parameter);
+  std::string possible;
+  for (const std::string &name : names)
+    possible += (possible.empty() ? "" : ", ") + name;
+  all.erase(std::remove_if(all.begin(), all.end(), [&](const auto &d) { return d.parameter != parameter; }), all.end());
+  if (all.empty())
+    throw UserError("Continuation/Parameter = " + parameter +
+                    " is not possible in this scene. Possible are: " + possible + ".");
+  return all;
+}
+
+/** The mode whose eigenvalue is nearest to zero. */
+NodalVectors critical_mode(const Stability &stability)
+{
+  const auto nearest = std::min_element(stability.lowest.begin(), stability.lowest.end(),
+                                        [](const double a, const double b) { return std::abs(a) < std::abs(b); });
+  return stability.modes[static_cast<std::size_t>(nearest - stability.lowest.begin())];
+}
+} // namespace
+
+ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, const double value,
+                                               const std::function<SurfaceScene(double)> &scene_at, Observer &observer,
+                                               const std::function<void(const PointOnBranch &)> &on_point)
+{
+  SceneParameter parameter;
+  parameter.name        = branch.parameter;
+  parameter.value       = value;
+  parameter.scale       = scale_of(branch, value);
+  parameter.potentials  = [&](const double p) { return potentials_of(scene_at(p)); };
+  parameter.derivatives = [&](const double p)
+  { return of_parameter(scene_at(p).derivatives(unit, targets), branch.parameter); };
+  parameter.derivatives(value);
+
+  const PositionChart chart = !is_reparametrisation_invariant(problem->potentials()) ? PositionChart::material
+                              : newton.chart == "graph"                              ? PositionChart::graph
+                                                                                     : PositionChart::ale;
+  const NodalVectors mesh_reference =
+      solved_mesh().mesh_reference.empty() ? problem->state().fields[0] : solved_mesh().mesh_reference;
+  SurfaceBranch along(*problem, std::move(parameter), chart, mesh_reference);
+  Continuation continuation(branch.steps, newton, *solver, timing);
+
+  std::optional<int> count_before;
+  PlaceOnBranch before;
+  bool at_bifurcation = false;
+  const auto visit    = [&](const BranchPoint &point)
+  {
+    // The number of unstable modes, on the symmetric matrix; then back into the branch's chart.
+    const SurfaceState state = problem->state();
+    const bool lists_modes   = analyses_stability && stability_parameters.eigenvalues > 0;
+    last_stability           = analyse_stability(*problem, *solver,
+                                       lists_modes ? static_cast<unsigned int>(stability_parameters.eigenvalues) : 0);
+    problem->set_state(state);
+    along.use_own_chart();
+    problem->set_state(state);
+
+    PointOnBranch here{point, std::nullopt};
+    at_bifurcation = false;
+    if (last_stability && !point.is_fold)
+    {
+      here.negative_eigenvalues = last_stability->negative_eigenvalues;
+      at_bifurcation            = count_before && *count_before != *here.negative_eigenvalues;
+      count_before              = here.negative_eigenvalues;
+      if (!at_bifurcation)
+        before = {state, point.parameter, *count_before};
+    }
+    else if (point.is_fold)
+      count_before.reset(); // here it changes without a bifurcation
+    on_point(here);
+    if (at_bifurcation)
+      observer.on_message("A bifurcation: the number of negative eigenvalues has changed to " +
+                          std::to_string(*here.negative_eigenvalues) + " at " + branch.parameter + " = " +
+                          std::to_string(point.parameter));
+    return !(at_bifurcation && branch.at_bifurcation == "switch");
+  };
+
+  StartDirection start = branch.direction == "increasing" ? StartDirection::increasing() : StartDirection::decreasing();
+  ContinuationResult result = continuation.run(along, start, observer, visit);
+  if (result.end != ContinuationEnd::stopped)
+    return result;
+
+  // Onto the crossing branch, along the mode that is critical there: first to the bifurcation, for beside it that
+  // branch may be out of reach or absent. Further bifurcations are only reported.
+  StartDirection sideways;
+  try
+  {
+    const Stability there = go_to_bifurcation(along, before, {problem->state(), along.parameter(), *count_before});
+    sideways              = StartDirection::along(problem->direction_of(critical_mode(there)), branch.amplitude);
+  }
+  catch (const SolveError &error)
+  {
+    result.end     = ContinuationEnd::failed;
+    result.failure = std::string("the bifurcation could not be located: ") + error.what();
+    return result;
+  }
+  count_before.reset();
+  const auto visit_only = [&](const BranchPoint &point)
+  {
+    visit(point);
+    if (point.arc_length == 0.)
+      count_before.reset(); // at the bifurcation itself the number is left to round-off
+    return true;
+  };
+  const ContinuationResult other = continuation.run(along, sideways, observer, visit_only);
+  result.end                     = other.end;
+  result.failure                 = other.failure;
+  result.points += other.points;
+  result.folds += other.folds;
+  result.iterations += other.iterations;
+  result.rejected_steps += other.rejected_steps;
+  return result;
+}
+
+// False position on the critical eigenvalue, which is nearly linear in the parameter; Illinois' halving where one end
+// stays.
+Stability SurfaceModel::go_to_bifurcation(SurfaceBranch &along, const PlaceOnBranch &before, const PlaceOnBranch &after)
+{
+  constexpr double nearness = 1e-4; // of the eigenvalue, relative to the larger one of the ends
+  constexpr int most_steps  = 20;
+  const int fewer           = std::min(before.negative_eigenvalues, after.negative_eigenvalues);
+  const auto analyse        = [&]
+  {
+    const SurfaceState state = problem->state();
+    const std::optional<Stability> stability =
+        analyse_stability(*problem, *solver, static_cast<unsigned int>(fewer) + 2);
+    problem->set_state(state);
+    along.use_own_chart();
+    problem->set_state(state);
+    if (!stability || stability->modes.empty())
+      throw SolveError("its critical mode was not found" + (stability ? ": " + stability->failure : ""));
+    return *stability;
+  };
+  const auto go = [&](const double parameter, const SurfaceState &state)
+  {
+    along.set_parameter(parameter);
+    problem->set_state(state);
+  };
+
+  struct End
+  {
+    PlaceOnBranch place;
+    double mu;
+  };
+  const auto critical = static_cast<std::size_t>(fewer);
+  End b{after, analyse().lowest[critical]};
+  go(before.parameter, before.state);
+  End a{before, analyse().lowest[critical]};
+  const double small = nearness * std::max(std::abs(a.mu), std::abs(b.mu));
+
+  NewtonParameters corrector = newton;
+  corrector.initial_drag     = 0.;
+  Observer nobody;
+  const End *stayed = nullptr;
+  for (int i = 0; i < most_steps; ++i)
+  {
+    const double parameter = (b.mu * a.place.parameter - a.mu * b.place.parameter) / (b.mu - a.mu);
+    go(parameter, std::abs(a.mu) < std::abs(b.mu) ? a.place.state : b.place.state);
+    const NewtonResult result = Newton(corrector, *solver, timing).solve(along, 0, nobody);
+    if (!result.converged)
+      throw SolveError(result.failure);
+    const Stability there = analyse();
+    const double mu       = there.lowest[critical];
+    if (std::abs(mu) < small)
+      return there;
+    const bool like_a = (mu > 0.) == (a.mu > 0.);
+    End &replaced = like_a ? a : b, &kept = like_a ? b : a;
+    replaced = {{problem->state(), parameter, there.negative_eigenvalues}, mu};
+    if (stayed == &kept)
+      kept.mu *= 0.5;
+    stayed = &kept;
+  }
+  throw SolveError("its critical eigenvalue does not come to zero");
+}
+} // namespace pellicle
