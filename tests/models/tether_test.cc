@@ -38,8 +38,11 @@ SurfaceScene pulled_to(const double length, const int degree, const int refineme
   scene.mesh.refinements                                           = refinements;
   scene.mesh.symmetry                                              = symmetry;
   effect<HelfrichBendingEffect>(scene).parameters.bending_rigidity = kappa;
-  effect<TetherEffect>(scene).parameters = {length * length_unit, ring * length_unit, tip * length_unit,
-                                            sigma * kappa / (length_unit * length_unit)};
+  TetherParameters &tether                                         = effect<TetherEffect>(scene).parameters;
+  tether.length                                                    = length * length_unit;
+  tether.ring_radius                                               = ring * length_unit;
+  tether.tip_radius                                                = tip * length_unit;
+  tether.tension                                                   = sigma * kappa / (length_unit * length_unit);
   return scene;
 }
 
