@@ -86,6 +86,7 @@ std::vector<ListedPotential> listed_potentials()
 struct Point
 {
   std::vector<unsigned int> offsets, slots; ///< of each field
+  std::vector<bool> is_scalar;              ///< of each vector of inputs: a number in its first component
   unsigned int n_inputs = 0;
   std::vector<double> inputs;
 
@@ -97,6 +98,7 @@ struct Point
       offsets.push_back(n_inputs);
       slots.push_back(n_slots(use.derivatives));
       n_inputs += 3 * slots.back();
+      is_scalar.resize(n_inputs / 3, use.space == FieldSpace::edge_scalars);
     }
     for (unsigned int i = 0; i < n_inputs; ++i)
       inputs.push_back(uniform(random));
@@ -210,9 +212,9 @@ TEST(PotentialLibrary, DensitiesAreInvariantUnderRotation)
     if (!listed.is_isotropic())
       continue;
     const Point point(*listed.potential, random);
-    std::vector<double> rotated(point.n_inputs);
+    std::vector<double> rotated = point.inputs;
     for (unsigned int k = 0; k < point.n_inputs; k += 3)
-      for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int i = 0; i < 3 && !point.is_scalar[k / 3]; ++i)
         rotated[k + i] = R[i][0] * point.inputs[k] + R[i][1] * point.inputs[k + 1] + R[i][2] * point.inputs[k + 2];
     const double before = derivatives(*listed.potential, point, point.inputs, Order::value).value[0];
     EXPECT_NEAR(derivatives(*listed.potential, point, rotated, Order::value).value[0], before,
