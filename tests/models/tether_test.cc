@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A tube pulled from a flat membrane under tension: force and energies against length.
 #include "equilibrium_runs.h"
+#include "expect_user_error.h"
 
-#include <pellicle/base/exceptions.h>
 #include <pellicle/potentials/constraints/tether.h>
 
 #include <gtest/gtest.h>
@@ -20,11 +20,15 @@ struct Pull
   double force; ///< over f0
   double bending;
   double area_gained; ///< over the flat annulus
+  double mid_height_radius;
 };
 constexpr Pull pulls[] = {
-    {2., 0.41128736264, 0.5447374652, 4.124567137},     {5., 0.93083658567, 3.5463702586, 23.980627004},
-    {7.737, 1.15327360529, 9.7743723446, 48.417417832}, {10., 1.00155976747, 20.5324085118, 57.749700226},
-    {15., 1.00034525754, 36.1550374467, 89.041096195},  {25., 1.00000072150, 67.5893361384, 151.846846144},
+    {2., 0.41128736264, 0.5447374652, 4.124567137, 5.467986243},
+    {5., 0.93083658567, 3.5463702586, 23.980627004, 4.938175216},
+    {7.737, 1.15327360529, 9.7743723446, 48.417417832, 3.718309342},
+    {10., 1.00155976747, 20.5324085118, 57.749700226, 1.755601532},
+    {15., 1.00034525754, 36.1550374467, 89.041096195, 0.932708865},
+    {25., 1.00000072150, 67.5893361384, 151.846846144, 1.003053478},
 };
 constexpr double f0 = 2. * pi, ring = 20., tip = 0.2, sigma = 0.5;
 constexpr double flat_area = pi * (ring * ring - tip * tip);
@@ -57,7 +61,10 @@ void expect_pull(const Solved &solved, const Pull &exact, const double tolerance
                  const double kappa = 1.)
 {
   const double area = flat_area + exact.area_gained;
-  EXPECT_LT(relative_error(solved.quantity("length"), exact.length * length_unit), 1e-9) << "L = " << exact.length;
+  // In space the length of the polynomial rim, over which the height is the mean, counts as well.
+  const bool axial = solved.model.mesh().kind == SurfaceDiscretization::Kind::meridian;
+  EXPECT_LT(relative_error(solved.quantity("length"), exact.length * length_unit), axial ? 1e-9 : 1e-5)
+      << "L = " << exact.length;
   EXPECT_LT(relative_error(solved.quantity("force"), exact.force * f0 * kappa / length_unit), tolerance)
       << "L = " << exact.length;
   EXPECT_LT(relative_error(solved.quantity("bending_energy"), exact.bending * kappa), tolerance)
@@ -68,6 +75,11 @@ void expect_pull(const Solved &solved, const Pull &exact, const double tolerance
   EXPECT_LT(relative_error(solved.quantity("total_energy"), kappa * (exact.bending + sigma * area)), tolerance)
       << "L = " << exact.length;
   EXPECT_EQ(solved.negative_eigenvalues(), 0) << "L = " << exact.length;
+  if (axial)
+  {
+    EXPECT_NEAR(solved.quantity("mid_height_radius") / length_unit, exact.mid_height_radius, 10. * tolerance)
+        << "L = " << exact.length;
+  }
 }
 
 // From the flat membrane over the highest force, where a dome becomes a tube, to the plateau.
@@ -136,23 +148,9 @@ TEST(Tether, InSpace)
 
 TEST(Tether, Refusals)
 {
-  const auto message = [](const SurfaceScene &scene)
-  {
-    try
-    {
-      scene.check();
-    }
-    catch (const UserError &error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  EXPECT_NE(message(scene_with({"tether"})).find("helfrich bending"), std::string::npos);
+  EXPECT_USER_ERROR(scene_with({"tether"}).check(), "tether", "helfrich bending", "Effects");
   SurfaceScene scene                                = pulled_to(1., 3, 2);
   effect<TetherEffect>(scene).parameters.tip_radius = 25.;
-  const std::string text                            = message(scene);
-  for (const char *part : {"Tether/Tip radius = 25", "Tether/Ring radius = 20"})
-    EXPECT_NE(text.find(part), std::string::npos) << part << " in: " << text;
+  EXPECT_USER_ERROR(scene.check(), "Tether/Tip radius = 25", "Tether/Ring radius = 20");
 }
 } // namespace
