@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/edge_loops.h>
 #include <pellicle/discretization/split_line.h>
 #include <pellicle/discretization/surface_quality.h>
 #include <pellicle/models/edge_conditions.h>
@@ -172,8 +173,13 @@ PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
   targets.reference            = reference;
   targets.euler_characteristic = euler_characteristic(discretization);
   for (SceneEdge &edge : targets.edges)
+  {
     if (const auto known = conormals.find(edge.name); known != conormals.end())
       edge.conormals = known->second;
+    for (const EdgeLoop &loop : discretization.edges)
+      if (loop.name == edge.name)
+        edge.length = loop_length(loop, discretization.positions);
+  }
   return scene.potentials(unit, targets);
 }
 

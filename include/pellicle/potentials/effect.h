@@ -84,6 +84,7 @@ struct SceneEdge
   EdgeSupport support = EdgeSupport::free;
   /** Outward unit conormals at the quadrature points, for a clamp; null while a scene is only checked. */
   std::shared_ptr<const std::vector<Vector3<double>>> conormals = nullptr;
+  double length = 0.; ///< of the edge on the start shape; 0 while a scene is only checked
 };
 
 /** What effects may take from the scene besides their own parameters, and from each other; internal units. */

@@ -26,6 +26,18 @@ void TetherParameters::bind(ParameterSection &section)
                  "Tension sigma of the membrane, in E = sigma A. The tube has the radius sqrt(kappa/(2 sigma)).");
 }
 
+namespace
+{
+/** Of the tip; while a scene is only checked any will do. */
+double rim_length(const SceneTargets &targets)
+{
+  for (const SceneEdge &edge : targets.edges)
+    if (edge.name == "tip" && edge.length > 0.)
+      return edge.length;
+  return 1.;
+}
+} // namespace
+
 const std::string &TetherEffect::name() const
 {
   static const std::string text = "tether";
@@ -58,30 +70,29 @@ void TetherEffect::contribute(const Scales &scales, const SceneTargets &targets,
   if (p.control == "force")
   {
     set.energies.push_back(
-        std::make_shared<DensityPotential<TipHeight>>("tip load", TipHeight{p.tip_radius, -p.force}, tip));
+        std::make_shared<DensityPotential<TipHeight>>("tip load", TipHeight{rim_length(targets), -p.force}, tip));
     set.prescribed.push_back({"force", p.force, dimensions::line_tension});
     return;
   }
   Constraint height;
-  height.measure         = std::make_shared<DensityPotential<TipHeight>>(name(), TipHeight{p.tip_radius, 1.}, tip);
-  height.target          = p.length;
-  height.quantity        = "length";
-  height.multiplier      = "force";
+  height.measure    = std::make_shared<DensityPotential<TipHeight>>(name(), TipHeight{rim_length(targets), 1.}, tip);
+  height.target     = p.length;
+  height.quantity   = "length";
+  height.multiplier = "force";
   height.multiplier_sign = -1.;
   height.dimension       = dimensions::length;
   set.constraints.push_back(height);
 }
 
-std::vector<ParameterDerivative> TetherEffect::derivatives(const Scales &scales, const SceneTargets & /*targets*/) const
+std::vector<ParameterDerivative> TetherEffect::derivatives(const Scales &scales, const SceneTargets &targets) const
 {
   const Where tip{Where::Part::edge, "tip"};
   ParameterDerivative control{"Tether/Length", nullptr, "length", 1. / scales.of(dimensions::length)};
   if (parameters.control == "force")
-    control = {
-        "Tether/Force",
-        std::make_shared<DensityPotential<TipHeight>>(
-            name(), TipHeight{parameters.tip_radius / scales.length, -1. / scales.of(dimensions::line_tension)}, tip),
-        "", 0.};
+    control = {"Tether/Force",
+               std::make_shared<DensityPotential<TipHeight>>(
+                   name(), TipHeight{rim_length(targets), -1. / scales.of(dimensions::line_tension)}, tip),
+               "", 0.};
   return {
       control,
       {"Tether/Tension",

@@ -12,14 +12,13 @@ struct TipHeight
   static constexpr std::array<FieldUse, 1> fields{{{"position", Derivatives::first, FieldRole::independent}}};
   static constexpr bool reparametrisation_invariant = true;
 
-  double tip_radius = 1.;
+  double rim_length = 1.; ///< of the rim as it is discretised, which never changes
   double factor     = 1.;
 
   template <typename Number>
   Number density(const PointInputs<Number, 1> &inputs, const PointData & /*data*/) const
   {
-    constexpr double two_pi = 2. * pi;
-    return factor * inputs[0].value()[2] * norm(inputs[0].d1()) / (two_pi * tip_radius);
+    return factor * inputs[0].value()[2] * norm(inputs[0].d1()) / rim_length;
   }
 };
 
