@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/edge_loops.h>
 #include <pellicle/discretization/point_walk.h>
 #include <pellicle/kinematics/surface_point.h>
 #include <pellicle/models/nodal_curvature.h>
@@ -29,6 +30,29 @@ Vector3<double> transposed_times(const std::array<double, 9> &m, const Vector3<d
   for (unsigned int c = 0; c < 3; ++c)
     result[c] = m[c] * v[0] + m[3 + c] * v[1] + m[6 + c] * v[2];
   return result;
+}
+
+// Where the surface ends, the curvature vector h is the integral of a^ab x,a . y,b less that of nu . y over the rim.
+void subtract_rim(const SurfaceDiscretization &discretization, const EdgeLoop &rim, const NodalVectors &positions,
+                  Eigen::MatrixX3d &laplacian)
+{
+  const ShapeTables &tables             = rim.tables;
+  const std::vector<Vector3<double>> nu = conormals(discretization, rim, positions);
+  const auto subtract                   = [&](const WalkCell &edge)
+  {
+    for (unsigned int q = 0; q < tables.n_points; ++q)
+    {
+      const double ds               = edge[q].weight * norm(edge[q][1]);
+      const Vector3<double> &normal = nu[edge.number * tables.n_points + q];
+      for (unsigned int I = 0; I < tables.n_nodes; ++I)
+      {
+        const double value = ds * tables.tables[0][std::size_t(q) * tables.n_nodes + I];
+        for (unsigned int c = 0; c < 3; ++c)
+          laplacian(edge.nodes[I], c) -= value * normal[c];
+      }
+    }
+  };
+  for_all_cells(tables, rim.cell_nodes, positions, 2, subtract);
 }
 
 WeakForms assemble(const SurfaceDiscretization &discretization, const NodalVectors &positions)
@@ -71,6 +95,9 @@ WeakForms assemble(const SurfaceDiscretization &discretization, const NodalVecto
   };
   for_all_cells(tables, discretization.cell_nodes, positions, 6, add_cell);
   forms.mass.setFromTriplets(entries.begin(), entries.end());
+  for (const EdgeLoop &rim : discretization.edges)
+    if (rim.is_rim)
+      subtract_rim(discretization, rim, positions, forms.laplacian);
   return forms;
 }
 

@@ -17,11 +17,12 @@ namespace pellicle
 {
 namespace
 {
-// A third of the scale on which the membrane bends at the tip, or what equal cells have.
+// A third of the scale on which the membrane bends at the tip, on the mesh of two refinements; or what equal cells
+// have.
 double smallest_tether_cell(const TetherParameters &tether, const StartShape &shape)
 {
   const double equal = (tether.ring_radius - tether.tip_radius) / (shape.radial_cells << shape.refinements);
-  return std::min(equal, tether.tip_radius / 3.);
+  return std::min(equal, tether.tip_radius * 4. / (3. * (1u << shape.refinements)));
 }
 } // namespace
 
