@@ -182,7 +182,23 @@ void SurfaceScene::check() const
   for (const auto &effect : effects)
     effect->check();
   if (has_analysis("phase diagram"))
+  {
     phase_diagram.check();
+    for (const char *needed : {"helfrich bending", "area constraint", "volume constraint"})
+      if (!has_effect(needed))
+        throw UserError(std::string("The analysis 'phase diagram' varies the reduced volume of a vesicle: add '") +
+                        needed + "' to Effects.");
+  }
+  const bool free_rim = vesicle.rim == "free" && !has_effect("tether") && !has_effect("lipid domain");
+  if (!edges().empty() && free_rim && has_effect("pressure"))
+    throw UserError(
+        "The effect 'pressure' needs a volume, which a surface with a free rim does not have: set Vesicle/Rim "
+        "to hinged or clamped.");
+  if (vesicle.reference_shape != "start shape" &&
+      (!edges().empty() || vesicle.start_shape == "torus" || vesicle.start_shape == "file"))
+    throw UserError("Vesicle/Reference shape = " + vesicle.reference_shape +
+                    " and Vesicle/Start shape = " + vesicle.start_shape +
+                    " have no material points in common: take a closed start shape without domain.");
   if (vesicle.semi_axes.size() != 3)
     throw UserError("Section Vesicle: 'Semi axes' has " + std::to_string(vesicle.semi_axes.size()) +
                     " numbers, three are needed, for example 1, 1, 1.2.");

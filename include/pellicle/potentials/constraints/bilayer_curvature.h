@@ -22,7 +22,7 @@ namespace pellicle
  * | BilayerCurvature| density of g         |
  * | BilayerSelfTerm | density of r         |
  *
- * (Q of paper 003; theory B.9.)
+ * (The bilayer-coupling model; Q as in Tu and Ou-Yang.)
  */
 struct BilayerCurvature
 {

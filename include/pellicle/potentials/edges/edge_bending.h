@@ -17,7 +17,7 @@ namespace pellicle
  *  - clamped edge: nu is given;
  *  - hinged or free edge with kappa_G = 0: nu is free, which makes P . n = 0 there; the moment is simply held at zero;
  *  - hinged or free edge with kappa_G: nu is an unknown field "edge conormal", and its equation P . n = kappa_G b_tt
- * the balance of moments (theory B.5).
+ * the balance of moments.
  */
 struct ClampedEdge
 {
