@@ -193,14 +193,16 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
     result.quantities = model.quantities();
   };
   JumpDetector jumps(load.parameter);
-  int suspected_jumps = 0;
-  // A jump is believed after a few attempts with shorter steps, and reported.
+  int suspected_jumps   = 0;
+  double accepted_value = from;
+  // A jump is believed, and reported, after a few attempts with shorter steps or when no shorter one is allowed.
   constexpr int attempts_before_a_jump_counts = 4;
   const auto left_the_branch = [&](const SurfaceScene &scene, const double value, const SurfaceState &before)
   {
     if (!jumps.has_jumped(model, scene, value))
       suspected_jumps = 0;
-    else if (++suspected_jumps < attempts_before_a_jump_counts)
+    else if (++suspected_jumps < attempts_before_a_jump_counts &&
+             0.5 * std::abs(value - accepted_value) > load.smallest_step * std::abs(to - from))
     {
       model.go_to(before);
       return true;
@@ -215,6 +217,7 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
       observer.on_message(result.warnings.back());
     }
     jumps.accept(model, scene, value);
+    accepted_value = value;
     return false;
   };
   const auto attempt = [&](const double t)
