@@ -22,12 +22,6 @@ double good_start(const std::string &branch)
   return volumes.at(branch);
 }
 
-struct Row
-{
-  double volume = 0.;
-  TableRow table;
-};
-
 /** One branch: its model and the rows of its states. */
 class BranchOfDiagram
 {
@@ -85,7 +79,7 @@ public:
     return walk_load(steps, [&](const double t) { return t == 0. || solve_at(from + t * (to - from)); }) == 1.;
   }
 
-  void add_row(std::vector<Row> &rows, const bool is_fold, const std::optional<int> negative)
+  void add_row(std::vector<TableRow> &rows, const bool is_fold, const std::optional<int> negative)
   {
     TableRow row{"phase_diagram", {{"branch", name}, {"is_fold", is_fold ? "1" : "0"}}};
     row.fields.emplace_back("negative_eigenvalues", negative ? std::to_string(*negative) : "");
@@ -102,18 +96,18 @@ public:
     }
     observer.on_message(name + ": v = " + exact_text(volume) + (is_fold ? " (fold)" : ""));
     sink(model, result.newton.steps++, volume);
-    rows.push_back({volume, std::move(row)});
+    rows.push_back(std::move(row));
   }
-  void add_row(std::vector<Row> &rows)
+  void add_row(std::vector<TableRow> &rows)
   {
     add_row(rows, false,
             model.stability() ? std::optional<int>(model.stability()->negative_eigenvalues) : std::nullopt);
   }
 
   /** Along the list of volumes, and where it gets no further along the arc. */
-  std::vector<Row> go(double from, const std::vector<double> &volumes, BranchParameters arc)
+  std::vector<TableRow> go(double from, const std::vector<double> &volumes, BranchParameters arc)
   {
-    std::vector<Row> rows;
+    std::vector<TableRow> rows;
     for (const double volume : volumes)
     {
       if (walk(from, volume))
@@ -186,17 +180,17 @@ std::unique_ptr<SurfaceModel> run_phase_diagram(SurfaceSceneFile &file, const Su
     BranchParameters arc = scene.branch;
     arc.steps.max_points = scene.phase_diagram.fold_points;
 
-    std::vector<Row> rows;
+    std::vector<TableRow> rows;
     branch.add_row(rows);
     const SurfaceState at_start = model->equilibrium().state();
-    std::vector<Row> down       = branch.go(*start, {std::make_reverse_iterator(start), volumes.rend()}, arc);
+    std::vector<TableRow> down  = branch.go(*start, {std::make_reverse_iterator(start), volumes.rend()}, arc);
     branch.go_back(at_start, *start);
-    std::vector<Row> up = branch.go(*start, {start + 1, volumes.end()}, arc);
+    std::vector<TableRow> up = branch.go(*start, {start + 1, volumes.end()}, arc);
 
     std::reverse(down.begin(), down.end());
-    for (std::vector<Row> *part : {&down, &rows, &up})
-      for (const Row &row : *part)
-        observer.on_row(row.table);
+    for (std::vector<TableRow> *part : {&down, &rows, &up})
+      for (const TableRow &row : *part)
+        observer.on_row(row);
   }
   result.status = missing.empty() ? RunStatus::converged : RunStatus::failed;
   if (!missing.empty())

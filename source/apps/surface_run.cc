@@ -186,11 +186,11 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
     done.stepped_parameter = load.parameter;
     done.stepped_value     = value;
     done.iterations        = iterations;
-    done.quantities        = model.quantities();
+    result.quantities      = model.quantities();
+    done.quantities        = result.quantities;
     if (model.stability())
       done.quantities.emplace_back("negative_eigenvalues", model.stability()->negative_eigenvalues);
     observer.on_step(done);
-    result.quantities = model.quantities();
   };
   JumpDetector jumps(load.parameter);
   int suspected_jumps   = 0;

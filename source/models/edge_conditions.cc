@@ -4,6 +4,7 @@
 #include <pellicle/discretization/point_walk.h>
 #include <pellicle/discretization/split_line.h>
 #include <pellicle/models/edge_conditions.h>
+#include <pellicle/models/surface_scene.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +83,7 @@ NodalConditions edge_conditions(const SurfaceDiscretization &discretization, con
       conormals.only.assign(discretization.n_nodes, held());
     set_all(conormals, discretization, loop, std::nullopt);
     // Its multiplier lives on one side of a split line only, that of the potential.
-    if (loop.name != far_side("domain boundary"))
+    if (loop.name != far_side(domain_boundary))
       conditions["edge multiplier"].only = conormals.only;
   };
   for (const SceneEdge &edge : targets.edges)

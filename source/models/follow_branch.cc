@@ -42,6 +42,18 @@ std::vector<ParameterDerivative> of_parameter(std::vector<ParameterDerivative> a
   return all;
 }
 
+/** Analysed on the symmetric matrix of another chart; then back at the same state in the branch's own one. */
+std::optional<Stability> stability_in_passing(SurfaceProblem &problem, LinearSolver &solver, SurfaceBranch &along,
+                                              const unsigned int n_eigenvalues)
+{
+  const SurfaceState state           = problem.state();
+  std::optional<Stability> stability = analyse_stability(problem, solver, n_eigenvalues);
+  problem.set_state(state);
+  along.use_own_chart();
+  problem.set_state(state);
+  return stability;
+}
+
 /** The mode whose eigenvalue is nearest to zero. */
 NodalVectors critical_mode(const Stability &stability)
 {
@@ -77,14 +89,10 @@ ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, c
   bool at_bifurcation = false;
   const auto visit    = [&](const BranchPoint &point)
   {
-    // The number of unstable modes, on the symmetric matrix; then back into the branch's chart.
     const SurfaceState state = problem->state();
     const bool lists_modes   = analyses_stability && stability_parameters.eigenvalues > 0;
-    last_stability           = analyse_stability(*problem, *solver,
-                                       lists_modes ? static_cast<unsigned int>(stability_parameters.eigenvalues) : 0);
-    problem->set_state(state);
-    along.use_own_chart();
-    problem->set_state(state);
+    last_stability           = stability_in_passing(
+                  *problem, *solver, along, lists_modes ? static_cast<unsigned int>(stability_parameters.eigenvalues) : 0);
 
     PointOnBranch here{point, std::nullopt};
     at_bifurcation = false;
@@ -152,12 +160,8 @@ Stability SurfaceModel::go_to_bifurcation(SurfaceBranch &along, const PlaceOnBra
   const int fewer           = std::min(before.negative_eigenvalues, after.negative_eigenvalues);
   const auto analyse        = [&]
   {
-    const SurfaceState state = problem->state();
     const std::optional<Stability> stability =
-        analyse_stability(*problem, *solver, static_cast<unsigned int>(fewer) + 2);
-    problem->set_state(state);
-    along.use_own_chart();
-    problem->set_state(state);
+        stability_in_passing(*problem, *solver, along, static_cast<unsigned int>(fewer) + 2);
     if (!stability || stability->modes.empty())
       throw SolveError("its critical mode was not found" + (stability ? ": " + stability->failure : ""));
     return *stability;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/models/meridian_curve.h>
 #include <pellicle/models/neck.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
@@ -12,16 +13,7 @@ std::optional<double> neck_radius(const SurfaceDiscretization &discretization, c
 {
   if (discretization.kind != SurfaceDiscretization::Kind::meridian)
     return std::nullopt;
-  const auto slots = [&](const std::size_t cell, const double xi)
-  {
-    const ShapeTables table = make_tables_at(discretization.kind, discretization.degree, {{{xi, 0.}}});
-    std::array<double, 18> inputs{};
-    evaluate_field(table, &discretization.cell_nodes[cell * discretization.n_local()], positions, 2, inputs.data());
-    return inputs;
-  };
-  const auto radius = [&](const std::size_t cell, const double xi) { return slots(cell, xi)[0]; };
-  const auto slope  = [&](const std::size_t cell, const double xi) { return slots(cell, xi)[3]; };
-
+  const MeridianCurve curve(discretization, positions);
   std::optional<double> smallest;
   const auto consider = [&](const double r)
   {
@@ -31,16 +23,16 @@ std::optional<double> neck_radius(const SurfaceDiscretization &discretization, c
   double slope_before = 1.; // at the end of the cell before; on the axis r grows
   for (std::size_t cell = 0; cell < discretization.n_cells; ++cell)
   {
-    const double first = slope(cell, 0.), last = slope(cell, 1.);
+    const double first = curve.begin_of(cell).slope_of_r, last = curve.end_of(cell).slope_of_r;
     if (slope_before < 0. && first >= 0.)
-      consider(radius(cell, 0.)); // on the node between two cells
+      consider(curve.begin_of(cell).r); // on the node between two cells
     if (first < 0. && last > 0.)
     {
       std::uintmax_t iterations = 100;
       const auto bracket =
-          boost::math::tools::toms748_solve([&](const double xi) { return slope(cell, xi); }, 0., 1., first, last,
-                                            boost::math::tools::eps_tolerance<double>(40), iterations);
-      consider(radius(cell, 0.5 * (bracket.first + bracket.second)));
+          boost::math::tools::toms748_solve([&](const double xi) { return curve.at(cell, xi).slope_of_r; }, 0., 1.,
+                                            first, last, boost::math::tools::eps_tolerance<double>(40), iterations);
+      consider(curve.at(cell, 0.5 * (bracket.first + bracket.second)).r);
     }
     slope_before = last;
   }

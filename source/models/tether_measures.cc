@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/models/meridian_curve.h>
 #include <pellicle/models/tether_measures.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
@@ -10,35 +11,22 @@ namespace pellicle
 {
 namespace
 {
-struct MeridianPoint
-{
-  double r = 0., z = 0.;
-};
-
-MeridianPoint at(const SurfaceDiscretization &meridian, const NodalVectors &positions, const std::size_t cell,
-                 const double xi)
-{
-  const ShapeTables table = make_tables_at(meridian.kind, meridian.degree, {{{xi, 0.}}});
-  double inputs[18];
-  evaluate_field(table, &meridian.cell_nodes[cell * meridian.n_local()], positions, 1, inputs);
-  return {inputs[0], inputs[2]};
-}
-
 /** Radius where the meridian last crosses a height on its way from the tip to the ring. */
 std::optional<double> radius_at(const SurfaceDiscretization &meridian, const NodalVectors &positions, const double z)
 {
+  const MeridianCurve curve(meridian, positions);
   for (std::size_t cell = meridian.n_cells; cell-- > 0;)
   {
-    const auto above    = [&](const double xi) { return at(meridian, positions, cell, xi).z - z; };
-    const double before = above(0.), after = above(1.);
+    const auto above    = [&](const double xi) { return curve.at(cell, xi).z - z; };
+    const double before = curve.begin_of(cell).z - z, after = curve.end_of(cell).z - z;
     if (before == 0.)
-      return at(meridian, positions, cell, 0.).r;
+      return curve.begin_of(cell).r;
     if (before * after > 0.)
       continue;
     std::uintmax_t iterations = 100;
     const auto bracket        = boost::math::tools::toms748_solve(above, 0., 1., before, after,
                                                                   boost::math::tools::eps_tolerance<double>(50), iterations);
-    return at(meridian, positions, cell, 0.5 * (bracket.first + bracket.second)).r;
+    return curve.at(cell, 0.5 * (bracket.first + bracket.second)).r;
   }
   return std::nullopt;
 }
