@@ -248,6 +248,12 @@ def section_half_height(size):
     return max(size[2] / 2, size[0] / 2 / view_aspect(SECTION_VIEW)) / 0.86
 
 
+def all_closed(lines):
+    """Whether every polyline ends where it begins."""
+    return all(line.GetPointId(0) == line.GetPointId(line.GetNumberOfPoints() - 1)
+               for line in (lines.GetCell(i) for i in range(lines.GetNumberOfCells())))
+
+
 def section_view(surface, colours):
     """The section by the plane y = const through the centre: a coloured line about a light grey inside."""
     centre, size = box_of(surface)
@@ -266,16 +272,18 @@ def section_view(surface, colours):
     renderer = vtkRenderer()
     renderer.SetViewport(*SECTION_VIEW)
     renderer.SetBackground(1, 1, 1)
-    inside = vtkContourTriangulator()
-    inside.SetInputConnection(lines.GetOutputPort())
-    filling = vtkPolyDataMapper()
-    filling.SetInputConnection(inside.GetOutputPort())
-    filling.ScalarVisibilityOff()
-    filled = vtkActor()
-    filled.SetMapper(filling)
-    filled.GetProperty().SetColor(0.94, 0.945, 0.955)
-    filled.GetProperty().LightingOff()
-    renderer.AddActor(filled)
+    lines.Update()
+    if all_closed(lines.GetOutput()):  # the section of an open surface has no inside
+        inside = vtkContourTriangulator()
+        inside.SetInputConnection(lines.GetOutputPort())
+        filling = vtkPolyDataMapper()
+        filling.SetInputConnection(inside.GetOutputPort())
+        filling.ScalarVisibilityOff()
+        filled = vtkActor()
+        filled.SetMapper(filling)
+        filled.GetProperty().SetColor(0.94, 0.945, 0.955)
+        filled.GetProperty().LightingOff()
+        renderer.AddActor(filled)
 
     tube = vtkTubeFilter()
     tube.SetInputConnection(lines.GetOutputPort())
