@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/kinematics/matrix3.h>
 #include <pellicle/kinematics/vector3.h>
 #include <pellicle/potentials/point_inputs.h>
 
@@ -103,56 +104,6 @@ public:
   virtual void add(const CellPoints &points, const unsigned int *field_offsets, double factor, Order order,
                    PointSums &sums) const = 0;
 };
-
-/** A 3 x 3 block, row-major. Arithmetic of hand-written second derivatives. */
-struct Matrix3
-{
-  std::array<double, 9> entries{};
-
-  double &operator()(const unsigned int i, const unsigned int j) { return entries[3 * i + j]; }
-  double operator()(const unsigned int i, const unsigned int j) const { return entries[3 * i + j]; }
-
-  friend Matrix3 operator+(Matrix3 a, const Matrix3 &b)
-  {
-    for (unsigned int k = 0; k < 9; ++k)
-      a.entries[k] += b.entries[k];
-    return a;
-  }
-  friend Matrix3 operator-(Matrix3 a, const Matrix3 &b)
-  {
-    for (unsigned int k = 0; k < 9; ++k)
-      a.entries[k] -= b.entries[k];
-    return a;
-  }
-  friend Matrix3 operator*(const double s, Matrix3 a)
-  {
-    for (double &entry : a.entries)
-      entry *= s;
-    return a;
-  }
-};
-
-/** s I. */
-inline Matrix3 identity3(const double s)
-{
-  return {{{s, 0., 0., 0., s, 0., 0., 0., s}}};
-}
-
-/** a b^T. */
-inline Matrix3 outer(const Vector3<double> &a, const Vector3<double> &b)
-{
-  Matrix3 m;
-  for (unsigned int i = 0; i < 3; ++i)
-    for (unsigned int j = 0; j < 3; ++j)
-      m(i, j) = a[i] * b[j];
-  return m;
-}
-
-/** [a]x, the matrix of b -> a x b. */
-inline Matrix3 cross_matrix(const Vector3<double> &a)
-{
-  return {{{0., -a[2], a[1], a[2], 0., -a[0], -a[1], a[0], 0.}}};
-}
 
 /**
  * Where a density with hand-written derivatives adds them at one point, in blocks of three: field (in the density's own
