@@ -2,6 +2,7 @@
 #include <pellicle/apps/phase_diagram.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/models/jump_detector.h>
+#include <pellicle/models/vesicle_scene.h>
 #include <pellicle/potentials/energies/helfrich_bending.h>
 
 #include <algorithm>
@@ -40,21 +41,21 @@ public:
   bool solve_at(const double volume)
   {
     file.set(reduced_volume, volume, "Phase diagram");
-    const SurfaceScene scene  = file.read();
-    const SurfaceState before = model.equilibrium().state();
-    model.update(scene);
+    const std::unique_ptr<SurfaceScene> scene = file.read();
+    const SurfaceState before                 = model.equilibrium().state();
+    model.update(*scene);
     const StepResult outcome = model.solve(result.newton.steps, observer);
     result.newton.iterations += outcome.iterations;
     result.newton.rejected += outcome.rejected;
     if (!outcome.converged)
       return false;
     result.newton.final_relative_residual = outcome.relative_residual;
-    if (jumps.has_jumped(model, scene, volume))
+    if (jumps.has_jumped(model, *scene, volume))
     {
       model.go_to(before);
       return false;
     }
-    jumps.accept(model, scene, volume);
+    jumps.accept(model, *scene, volume);
     reached = volume;
     return true;
   }
@@ -63,10 +64,10 @@ public:
   void go_back(const SurfaceState &state, const double volume)
   {
     file.set(reduced_volume, volume, "Phase diagram");
-    const SurfaceScene scene = file.read();
-    model.update(scene);
+    const std::unique_ptr<SurfaceScene> scene = file.read();
+    model.update(*scene);
     model.go_to(state);
-    jumps.accept(model, scene, volume);
+    jumps.accept(model, *scene, volume);
     reached = volume;
   }
 
@@ -83,9 +84,9 @@ public:
   {
     TableRow row{"phase_diagram", {{"branch", name}, {"is_fold", is_fold ? "1" : "0"}}};
     row.fields.emplace_back("negative_eigenvalues", negative ? std::to_string(*negative) : "");
-    const SurfaceScene scene = file.read();
+    const std::unique_ptr<SurfaceScene> scene = file.read();
     row.fields.emplace_back("bending_rigidity",
-                            exact_text(scene.find<HelfrichBendingEffect>()->parameters.bending_rigidity));
+                            exact_text(scene->find<HelfrichBendingEffect>()->parameters.bending_rigidity));
     result.quantities = model.quantities();
     double volume     = 0.;
     for (const auto &[quantity, value] : result.quantities)
@@ -155,30 +156,30 @@ private:
 };
 } // namespace
 
-std::unique_ptr<SurfaceModel> run_phase_diagram(SurfaceSceneFile &file, const SurfaceScene &scene,
-                                                const Communicator &communicator, Timing &timing, Observer &observer,
-                                                const SolutionSink &sink, RunResult &result)
+std::unique_ptr<SurfaceModel> run_phase_diagram(const RunContext &context, const SurfaceScene &scene, RunResult &result)
 {
-  std::vector<double> volumes = scene.phase_diagram.reduced_volumes;
+  SurfaceSceneFile &file                = context.file;
+  const PhaseDiagramParameters &diagram = dynamic_cast<const VesicleScene &>(scene).phase_diagram;
+  std::vector<double> volumes           = diagram.reduced_volumes;
   std::sort(volumes.begin(), volumes.end());
   std::unique_ptr<SurfaceModel> model;
   std::string missing;
-  for (const std::string &name : scene.phase_diagram.branch_names())
+  for (const std::string &name : diagram.branch_names())
   {
     const auto start = std::min_element(volumes.begin(), volumes.end(),
                                         [&](const double a, const double b)
                                         { return std::abs(a - good_start(name)) < std::abs(b - good_start(name)); });
     file.set_text("Vesicle/Start shape", name, "Phase diagram/Branches");
     file.set(reduced_volume, *start, "Phase diagram/Reduced volumes");
-    model = std::make_unique<SurfaceModel>(file.read(), communicator, timing);
-    BranchOfDiagram branch(file, name, *model, observer, sink, result);
+    model = std::make_unique<SurfaceModel>(*file.read(), context.communicator, context.timing);
+    BranchOfDiagram branch(file, name, *model, context.observer, context.sink, result);
     if (!branch.solve_at(*start))
     {
       missing += (missing.empty() ? "" : ", ") + name;
       continue;
     }
     BranchParameters arc = scene.branch;
-    arc.steps.max_points = scene.phase_diagram.fold_points;
+    arc.steps.max_points = diagram.fold_points;
 
     std::vector<TableRow> rows;
     branch.add_row(rows);
@@ -190,7 +191,7 @@ std::unique_ptr<SurfaceModel> run_phase_diagram(SurfaceSceneFile &file, const Su
     std::reverse(down.begin(), down.end());
     for (std::vector<TableRow> *part : {&down, &rows, &up})
       for (const TableRow &row : *part)
-        observer.on_row(row);
+        context.observer.on_row(row);
   }
   result.status = missing.empty() ? RunStatus::converged : RunStatus::failed;
   if (!missing.empty())

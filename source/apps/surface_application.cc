@@ -2,7 +2,6 @@
 #include "mpi_session.h"
 #include "run_output.h"
 
-#include <pellicle/apps/phase_diagram.h>
 #include <pellicle/apps/surface_application.h>
 #include <pellicle/apps/surface_run.h>
 #include <pellicle/output/atomic_file.h>
@@ -10,6 +9,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -65,33 +65,36 @@ int run(const SurfaceApplication &application, const CommandLine &command_line, 
   }
 
   SurfaceSceneFile file(application, command_line);
-  SurfaceScene scene          = file.read();
-  const std::string used_text = file.used_text();
-  if (!scene.load.parameter.empty())
-    scene = scene_at_start_of_load(file, scene.load);
-  auto model = std::make_unique<SurfaceModel>(scene, communicator, timing);
+  std::unique_ptr<SurfaceScene> scene = file.read();
+  const std::string used_text         = file.used_text();
+  if (!scene->load.parameter.empty())
+    scene = scene_at_start_of_load(file, scene->load);
+  auto model = std::make_unique<SurfaceModel>(*scene, communicator, timing);
   if (command_line.validate)
   {
     if (first_process)
-      print_validation(scene, *model);
+      print_validation(*scene, *model);
     return 0;
   }
 
   const fs::path directory = command_line.output_directory.empty()
                                  ? fs::path("output") / fs::path(command_line.scene_file).stem()
                                  : fs::path(command_line.output_directory);
-  RunOutput output(first_process, directory, scene, command_line.verbosity, timing);
+  RunOutput output(first_process, directory, *scene, command_line.verbosity, timing);
   output.write_scene(used_text);
-  const auto sink = [&](const SurfaceModel &solved, const int step, const double time)
+  const SolutionSink write_solution = [&](const SurfaceModel &solved, const int step, const double time)
   { output.write_solution(solved, step, time); };
   RunResult result;
-  if (scene.has_analysis("phase diagram"))
+  const auto whole_run =
+      std::find_if(application.analyses.begin(), application.analyses.end(),
+                   [&](const WholeRunAnalysis &analysis) { return scene->has_analysis(analysis.name); });
+  if (whole_run != application.analyses.end())
   {
-    model = run_phase_diagram(file, scene, communicator, timing, output.observer(), sink, result);
-    describe(scene, *model, result);
+    model = whole_run->run({file, communicator, timing, output.observer(), write_solution}, *scene, result);
+    describe(*scene, *model, result);
   }
   else
-    result = solve_scene(file, scene, *model, output.observer(), sink);
+    result = solve_scene(file, *scene, *model, output.observer(), write_solution);
   result.application = application.name;
   output.finish(*model, result);
   if (first_process)
@@ -104,6 +107,22 @@ int run(const SurfaceApplication &application, const CommandLine &command_line, 
   return result.status == RunStatus::converged ? 0 : 1;
 }
 } // namespace
+
+std::unique_ptr<SurfaceScene> SurfaceApplication::scene(const std::vector<std::string> &effects,
+                                                        const std::vector<std::string> &listed_analyses) const
+{
+  std::unique_ptr<SurfaceScene> result = empty_scene();
+  list_effects(*result, library, effects, listed_analyses);
+  return result;
+}
+
+std::vector<std::string> SurfaceApplication::analysis_names() const
+{
+  std::vector<std::string> names{"stability"};
+  for (const WholeRunAnalysis &analysis : analyses)
+    names.push_back(analysis.name);
+  return names;
+}
 
 int run_surface_application(int argc, char **argv, const SurfaceApplication &application)
 {

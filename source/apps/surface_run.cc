@@ -66,7 +66,9 @@ std::string without_full_stop(std::string text)
 void warn_of_folds(const SurfaceModel &model, RunResult &result)
 {
   constexpr double largest_defect = 0.5;
-  const int exact                 = euler_characteristic(model.mesh());
+  if (!model.mesh().is_closed())
+    return;
+  const int exact = euler_characteristic(model.mesh());
   for (const auto &[name, value] : result.quantities)
     if (name == "gauss_bonnet" && std::abs(value - exact) > largest_defect)
       result.warnings.push_back("gauss_bonnet is " + exact_text(value) + " and should be " + std::to_string(exact) +
@@ -79,15 +81,15 @@ SurfaceSceneFile::SurfaceSceneFile(const SurfaceApplication &application, const 
     : application(application)
     , scene(application.name, entries_of(command_line))
     , effects(scene.effects(application.default_effects, application.library.names()))
-    , analyses(scene.analyses({}, analysis_names()))
+    , analyses(scene.analyses({}, application.analysis_names()))
 {
 }
 
-SurfaceScene SurfaceSceneFile::read()
+std::unique_ptr<SurfaceScene> SurfaceSceneFile::read()
 {
-  SurfaceScene parameters = make_surface_scene(application.library, effects, analyses);
-  scene.read(parameters.sections(), sections_of_others(application.library, effects));
-  parameters.check();
+  std::unique_ptr<SurfaceScene> parameters = application.scene(effects, analyses);
+  scene.read(parameters->sections(), sections_of_others(application.library, effects));
+  parameters->check();
   return parameters;
 }
 
@@ -108,11 +110,10 @@ double SurfaceSceneFile::number(const std::string &path) const
 
 std::string SurfaceSceneFile::used_text()
 {
-  SurfaceScene parameters = make_surface_scene(application.library, effects, analyses);
-  return scene.used_text(parameters.sections(), effects, analyses);
+  return scene.used_text(application.scene(effects, analyses)->sections(), effects, analyses);
 }
 
-SurfaceScene scene_at_start_of_load(SurfaceSceneFile &file, const LoadParameters &load)
+std::unique_ptr<SurfaceScene> scene_at_start_of_load(SurfaceSceneFile &file, const LoadParameters &load)
 {
   const double own = number_of_load("Parameter", load.parameter, [&] { return file.number(load.parameter); });
   const double from =
@@ -121,23 +122,23 @@ SurfaceScene scene_at_start_of_load(SurfaceSceneFile &file, const LoadParameters
   file.set(load.parameter, to, "Load/To");
   file.read();
   file.set(load.parameter, from, "Load/From");
-  SurfaceScene scene = file.read();
-  scene.load.to      = exact_text(to);
+  std::unique_ptr<SurfaceScene> scene = file.read();
+  scene->load.to                      = exact_text(to);
   return scene;
 }
 
 std::string commented_scene_of(const SurfaceApplication &application)
 {
-  SurfaceScene listed = make_surface_scene(application.library, application.default_effects, {});
+  const std::unique_ptr<SurfaceScene> listed = application.scene(application.default_effects, {});
   SceneDescription description;
   description.application    = application.name;
   description.effects        = application.default_effects;
   description.known_effects  = application.library.names();
-  description.known_analyses = analysis_names();
-  description.sections       = listed.sections();
+  description.known_analyses = application.analysis_names();
+  description.sections       = listed->sections();
   std::vector<std::unique_ptr<Effect>> others;
   for (const std::string &name : application.library.names())
-    if (!listed.has_effect(name))
+    if (!listed->has_effect(name))
     {
       others.push_back(application.library.create(name));
       ParameterSection section(section_name(name));
@@ -228,7 +229,7 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
     if (stepping && t > 0.)
     {
       file.set(load.parameter, value, "Load step " + std::to_string(step));
-      model.update(file.read());
+      model.update(*file.read());
     }
     const StepResult outcome = model.solve(step, observer);
     result.newton.iterations += outcome.iterations;
@@ -239,7 +240,7 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
       failure = outcome.failure;
       return false;
     }
-    if (stepping && left_the_branch(file.read(), value, before))
+    if (stepping && left_the_branch(*file.read(), value, before))
     {
       failure = "the state found is on another branch";
       return false;

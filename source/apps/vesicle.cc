@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pellicle/apps/surface_application.h>
+#include <pellicle/apps/phase_diagram.h>
+#include <pellicle/models/vesicle_scene.h>
 
 int main(int argc, char **argv)
 {
@@ -8,5 +9,7 @@ int main(int argc, char **argv)
                                             "Equilibrium shapes of closed membranes: Helfrich bending under "
                                             "constraints of area and volume, tension and pressure.",
                                             pellicle::standard_effects(),
-                                            {"helfrich bending", "area constraint", "volume constraint"}});
+                                            {"helfrich bending", "area constraint", "volume constraint"},
+                                            [] { return std::make_unique<pellicle::VesicleScene>(); },
+                                            {{"phase diagram", pellicle::run_phase_diagram}}});
 }

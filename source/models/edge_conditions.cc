@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
-#include <pellicle/discretization/point_walk.h>
-#include <pellicle/discretization/split_line.h>
 #include <pellicle/models/edge_conditions.h>
-#include <pellicle/models/surface_scene.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -60,30 +55,19 @@ void tie(FieldConditions &conditions, const SurfaceDiscretization &discretizatio
     follow(conditions, discretization, node, loop.cell_nodes.front());
 }
 
-/** Elevation of a rim's conormal above the horizontal plane. */
-double elevation(const EdgeLoop &loop, const StartShape &shape)
-{
-  if (loop.name == "tip")
-    return pi; // inwards
-  if (loop.name == "upper rim")
-    return 0.5 * pi;
-  if (loop.name == "lower rim")
-    return -0.5 * pi;
-  return shape.name == "cap" ? -shape.cap_angle : 0.;
-}
 } // namespace
 
 NodalConditions edge_conditions(const SurfaceDiscretization &discretization, const SceneTargets &targets)
 {
   NodalConditions conditions;
-  const auto has_conormals = [&](const EdgeLoop &loop)
+  const auto has_conormals = [&](const SceneEdge &edge, const EdgeLoop &loop)
   {
     FieldConditions &conormals = conditions["edge conormal"];
     if (conormals.only.empty())
       conormals.only.assign(discretization.n_nodes, held());
     set_all(conormals, discretization, loop, std::nullopt);
     // Its multiplier lives on one side of a split line only, that of the potential.
-    if (loop.name != far_side(domain_boundary))
+    if (edge.support != EdgeSupport::far_side)
       conditions["edge multiplier"].only = conormals.only;
   };
   for (const SceneEdge &edge : targets.edges)
@@ -92,7 +76,7 @@ NodalConditions edge_conditions(const SurfaceDiscretization &discretization, con
     if (edge.support == EdgeSupport::inner || edge.support == EdgeSupport::far_side)
     {
       if (targets.gaussian_difference != 0.)
-        has_conormals(loop);
+        has_conormals(edge, loop);
       continue;
     }
     if (edge.name == "tip")
@@ -105,7 +89,7 @@ NodalConditions edge_conditions(const SurfaceDiscretization &discretization, con
     if (edge.support == EdgeSupport::clamped)
       continue;
     if (targets.gaussian_modulus != 0.)
-      has_conormals(loop);
+      has_conormals(edge, loop);
     else
       set_all(conditions["moment"], discretization, loop, held());
   }
@@ -116,17 +100,4 @@ NodalConditions edge_conditions(const SurfaceDiscretization &discretization, con
   return conditions;
 }
 
-std::vector<Vector3<double>> start_conormals(const SurfaceDiscretization &discretization, const EdgeLoop &loop,
-                                             const StartShape &shape)
-{
-  const double b = elevation(loop, shape);
-  std::vector<Vector3<double>> result;
-  const auto add = [&](const WalkPoint &point)
-  {
-    const double x = point[0][0], y = point[0][1], r = std::hypot(x, y);
-    result.emplace_back(std::cos(b) * x / r, std::cos(b) * y / r, std::sin(b));
-  };
-  for_all_points(loop.tables, loop.cell_nodes, discretization.positions, 1, add);
-  return result;
-}
 } // namespace pellicle

@@ -64,16 +64,16 @@ NodalVectors critical_mode(const Stability &stability)
 } // namespace
 
 ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, const double value,
-                                               const std::function<SurfaceScene(double)> &scene_at, Observer &observer,
+                                               const SceneAt &scene_at, Observer &observer,
                                                const std::function<void(const PointOnBranch &)> &on_point)
 {
   SceneParameter parameter;
   parameter.name        = branch.parameter;
   parameter.value       = value;
   parameter.scale       = scale_of(branch, value);
-  parameter.potentials  = [&](const double p) { return potentials_of(scene_at(p)); };
+  parameter.potentials  = [&](const double p) { return potentials_of(*scene_at(p)); };
   parameter.derivatives = [&](const double p)
-  { return of_parameter(scene_at(p).derivatives(unit, targets), branch.parameter); };
+  { return of_parameter(scene_at(p)->derivatives(unit, targets), branch.parameter); };
   parameter.derivatives(value);
 
   const PositionChart chart = !is_reparametrisation_invariant(problem->potentials()) ? PositionChart::material

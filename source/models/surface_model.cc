@@ -3,7 +3,6 @@
 #include <pellicle/discretization/edge_loops.h>
 #include <pellicle/discretization/split_line.h>
 #include <pellicle/discretization/surface_quality.h>
-#include <pellicle/models/edge_conditions.h>
 #include <pellicle/models/surface_model.h>
 
 #include <algorithm>
@@ -18,14 +17,14 @@ namespace
 {
 // Divides by the scene's length and moves the centroid of the nodes to the origin (a meridian only along z), so that
 // round-off knows neither units nor place.
-std::array<double, 3> normalise(SurfaceDiscretization &discretization, const double length)
+std::array<double, 3> normalise(SurfaceDiscretization &discretization, const double length, const bool stays)
 {
   std::array<double, 3> centre{};
   const bool meridian = discretization.kind == SurfaceDiscretization::Kind::meridian;
   for (unsigned int c = meridian ? 2 : 0; c < 3; ++c)
   {
     // An open surface has no volume of its own: that over its rim's plane, where it starts, must stay what it is.
-    if (discretization.mirror || !discretization.is_closed())
+    if (stays || discretization.mirror || !discretization.is_closed())
       continue;
     for (std::size_t I = 0; I < discretization.n_nodes; ++I)
       centre[c] += discretization.positions[3 * I + c] / static_cast<double>(discretization.n_nodes);
@@ -63,18 +62,19 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
     : newton(scene.newton)
     , unit(scene.scales())
     , timing(timing)
-    , discretization(make_start_shape(scene.start_shape()))
+    , discretization(scene.start_mesh())
+    , own_measures(scene.measures(unit))
     , stability_parameters(scene.stability)
     , analyses_stability(scene.has_analysis("stability"))
 {
-  centroid = normalise(discretization, unit.length);
-  add_node_noise(scene.vesicle);
+  centroid = normalise(discretization, unit.length, scene.has_origin());
+  add_node_noise(scene.node_noise());
   set_blas_threads(newton.threads);
   take_from_mesh(scene);
   PotentialSet potentials = potentials_of(scene);
-  if (scene.splits_domain())
-    split = split_along(discretization, domain_boundary);
-  const NodalConditions conditions = edge_conditions(solved_mesh(), targets);
+  if (const std::string line = scene.split_line(); !line.empty())
+    split = split_along(discretization, line);
+  const NodalConditions conditions = scene.conditions(solved_mesh(), targets);
   // Held rims fix the surface in space; there are no rigid motions left.
   if (const auto position = conditions.find("position"); position != conditions.end() && !position->second.only.empty())
     discretization.rigid_motions.clear();
@@ -84,9 +84,9 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
   check_constraints_are_independent();
 }
 
-void SurfaceModel::add_node_noise(const VesicleParameters &vesicle)
+void SurfaceModel::add_node_noise(const NodeNoise &noise)
 {
-  if (vesicle.node_noise == 0.)
+  if (noise.fraction == 0.)
     return;
   double area = 0.;
   for (const double a : nodal_areas(discretization, discretization.positions))
@@ -94,20 +94,20 @@ void SurfaceModel::add_node_noise(const VesicleParameters &vesicle)
   const bool meridian  = discretization.kind == SurfaceDiscretization::Kind::meridian;
   const double spacing = meridian ? std::sqrt(area) / static_cast<double>(discretization.n_nodes)
                                   : std::sqrt(area / static_cast<double>(discretization.n_nodes));
-  std::mt19937 random(static_cast<std::uint32_t>(vesicle.random_seed));
+  std::mt19937 random(static_cast<std::uint32_t>(noise.seed));
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
   {
     // The raw generator is the same everywhere, the standard distributions are not.
-    Vector3<double> noise;
+    Vector3<double> displacement;
     for (unsigned int c = 0; c < 3; ++c)
-      noise[c] = vesicle.node_noise * spacing * (2. * (random() / 4294967296.) - 1.);
+      displacement[c] = noise.fraction * spacing * (2. * (random() / 4294967296.) - 1.);
     const AdmissibleDirections directions =
         discretization.admissible.empty() ? AdmissibleDirections{} : discretization.admissible[I];
     for (unsigned int j = 0; j < directions.count; ++j)
     {
       const Vector3<double> e(directions.columns[j][0], directions.columns[j][1], directions.columns[j][2]);
       for (unsigned int c = 0; c < 3; ++c)
-        discretization.positions[3 * I + c] += dot(noise, e) * e[c];
+        discretization.positions[3 * I + c] += dot(displacement, e) * e[c];
     }
   }
 }
@@ -190,18 +190,16 @@ void SurfaceModel::take_from_mesh(const SurfaceScene &scene)
   if (has_skin)
   {
     NodalVectors positions = discretization.positions;
-    if (const std::optional<StartShape> shape = scene.reference_shape())
+    if (const std::optional<NodalVectors> given = scene.reference_positions())
     {
-      positions = make_start_shape(*shape).positions;
+      positions = *given;
       for (double &x : positions)
         x /= unit.length;
     }
     reference = std::make_shared<const std::vector<ReferenceMetric>>(reference_metric(discretization, positions));
   }
-  for (const EdgeLoop &loop : discretization.edges)
-    conormals[loop.name] = loop.is_rim ? std::make_shared<const std::vector<Vector3<double>>>(
-                                             start_conormals(discretization, loop, scene.start_shape()))
-                                       : nullptr;
+  for (auto &[name, of_rim] : scene.rim_conormals(discretization))
+    conormals[name] = std::make_shared<const std::vector<Vector3<double>>>(std::move(of_rim));
 }
 
 StepResult SurfaceModel::solve(const int step, Observer &observer)

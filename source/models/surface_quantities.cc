@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What users read of a surface model: quantities and sampled fields, scaled back to their units.
 #include <pellicle/base/constants.h>
-#include <pellicle/discretization/edge_loops.h>
 #include <pellicle/models/make_sample.h>
-#include <pellicle/models/neck.h>
 #include <pellicle/models/nodal_curvature.h>
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_model.h>
-#include <pellicle/models/tether_measures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -121,7 +118,7 @@ std::vector<NamedQuantity> SurfaceModel::forces() const
 
 std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
 {
-  const NodalVectors positions   = on_mesh(problem->state().fields[0]);
+  const NodalVectors positions   = this->positions();
   const ShapeMeasures shape      = measure_shape(discretization, positions);
   const NodalCurvature curvature = nodal_curvature(discretization, positions);
 
@@ -151,13 +148,9 @@ std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
   for (std::size_t k = 0; k < set.constraints.size(); ++k)
     if (set.constraints[k].is_own_quantity)
       report(set.constraints[k].quantity, problem->values().constraints[k], set.constraints[k].dimension);
-  if (const std::optional<double> neck = neck_radius(discretization, positions))
-    report("neck_radius", *neck, dimensions::length);
-  for (const EdgeLoop &loop : discretization.edges)
-    if (!loop.is_rim)
-      report("domain_boundary_length", loop_length(loop, positions), dimensions::length);
-  for (const auto &[name, length] : tether_measures(discretization, positions))
-    report(name, length, dimensions::length);
+  if (own_measures)
+    for (const NamedQuantity &quantity : own_measures(*this))
+      report(quantity.name, quantity.value, quantity.dimension);
   report("integrated_mean_curvature", integrated_mean_curvature(discretization, positions, curvature.curvature_vector),
          dimensions::length);
   report("gauss_bonnet", shape.gauss_bonnet, dimensions::none);

@@ -1,31 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pellicle/base/constants.h>
-#include <pellicle/base/near_match.h>
-#include <pellicle/discretization/split_line.h>
+#include <pellicle/models/edge_conditions.h>
 #include <pellicle/models/surface_scene.h>
-#include <pellicle/potentials/constraints/lipid_domain.h>
-#include <pellicle/potentials/constraints/tether.h>
-#include <pellicle/potentials/edges/gaussian_curvature.h>
-#include <pellicle/potentials/energies/helfrich_bending.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace pellicle
 {
-namespace
-{
-// A third of the scale on which the membrane bends at the tip, on the mesh of two refinements; or what equal cells
-// have.
-double smallest_tether_cell(const TetherParameters &tether, const StartShape &shape)
-{
-  const double equal = (tether.ring_radius - tether.tip_radius) / (shape.radial_cells << shape.refinements);
-  return std::min(equal, tether.tip_radius * 4. / (3. * (1u << shape.refinements)));
-}
-} // namespace
-
 void MeshParameters::bind(ParameterSection &section)
 {
   section.integer("Degree", degree, 2, 5,
@@ -39,47 +21,6 @@ void MeshParameters::bind(ParameterSection &section)
   section.word("File", file,
                "Gmsh MSH 4.1 file with quadrilaterals or triangles, for Vesicle/Start shape = file. Relative to the "
                "scene file.");
-}
-
-void VesicleParameters::bind(ParameterSection &section)
-{
-  section.number("Area", area, Range::positive(), dimensions::area,
-                 "Area A of the membrane; the start shape is scaled to it. It sets the unit of length.");
-  section.number("Reduced volume", reduced_volume, {0., 1., true, false, false}, dimensions::none,
-                 "Reduced volume v = 3 V/(4 pi (A/4 pi)^1.5) in (0, 1]: makes the start shapes prolate, oblate and "
-                 "stomatocyte, and is the target of the volume constraint.");
-  std::vector<std::string> shapes = start_shape_names();
-  shapes.insert(shapes.end(), {"cap", "disc", "tube"});
-  section.choice(
-      "Start shape", start_shape, shapes,
-      "Shape at the start, scaled to Area: spheroids and stomatocyte of the given reduced volume, ellipsoid "
-      "(Semi axes), biconcave, torus (Torus ratio), file (Mesh/File); open ones: cap (Cap angle), flat disc, "
-      "tube (Tube ratio). The effect tether makes a shape of its own.");
-  section.numbers("Semi axes", semi_axes, Range::positive(), dimensions::none,
-                  "Ratio of the three semi axes of the start shape `ellipsoid`.");
-  section.number("Torus ratio", torus_ratio, {1., 1e6, true, false, false}, dimensions::none,
-                 "R/r of the start shape `torus`.");
-  section.number(
-      "Cap angle", cap_angle, {0., 180., true, true, false}, dimensions::none,
-      "Angle from the pole to the rim of the start shape `cap`, seen from the centre of its sphere, in degrees.");
-  section.number("Tube ratio", tube_ratio, {1e-3, 1e3, true, true, false}, dimensions::none,
-                 "Length over radius of the start shape `tube`, an open cylinder about the z axis.");
-  section.choice(
-      "Rim", rim, {"free", "hinged", "clamped"},
-      "What holds the rims of an open start shape: nothing; their place; their place and the tangent plane of "
-      "the start shape.");
-  section.choice("Reference shape", reference_shape,
-                 {"start shape", "sphere", "prolate", "oblate", "stomatocyte", "ellipsoid", "biconcave"},
-                 "Shape at which elastic skins are free of stress: the start shape, or another one. Material points of "
-                 "both belong together by the sphere that they are maps of.");
-  section.number("Reference area", reference_area, Range::positive(), dimensions::area,
-                 "Area of the reference shape, if it is not the start shape.");
-  section.number("Reference reduced volume", reference_reduced_volume, {0., 1., true, false, false}, dimensions::none,
-                 "Reduced volume of the reference shape, where that makes it (prolate, oblate, stomatocyte).");
-  section.number("Node noise", node_noise, Range::between(0., 0.5), dimensions::none,
-                 "Random displacement of the nodes of the start shape, uniform in [-f, f] times the node spacing in "
-                 "each component.");
-  section.integer("Random seed", random_seed, 0, 2147483647, "Seed of the node noise.");
 }
 
 void BranchParameters::bind(ParameterSection &section)
@@ -104,40 +45,6 @@ void BranchParameters::bind(ParameterSection &section)
   steps.bind(section);
 }
 
-void PhaseDiagramParameters::bind(ParameterSection &section)
-{
-  section.numbers("Reduced volumes", reduced_volumes, {0., 1., true, true, false}, dimensions::none,
-                  "Reduced volumes at which the analysis `phase diagram` computes every branch that exists there.");
-  section.word("Branches", branches,
-               "Branches of the analysis `phase diagram`, named by the start shapes they begin with: prolate, oblate, "
-               "stomatocyte.");
-  section.integer("Fold points", fold_points, 0, 10000,
-                  "Points along the arc by which a branch is followed where it ends before the last reduced volume: "
-                  "through the fold and some way back.");
-}
-
-std::vector<std::string> PhaseDiagramParameters::branch_names() const
-{
-  std::vector<std::string> names;
-  std::istringstream list(branches);
-  for (std::string name; std::getline(list, name, ',');)
-  {
-    const auto first = name.find_first_not_of(" \t"), last = name.find_last_not_of(" \t");
-    names.push_back(first == std::string::npos ? "" : name.substr(first, last - first + 1));
-  }
-  return names;
-}
-
-void PhaseDiagramParameters::check() const
-{
-  const std::vector<std::string> known{"prolate", "oblate", "stomatocyte"};
-  for (const std::string &name : branch_names())
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw UserError("Phase diagram/Branches: '" + name + "' is no branch." + suggestion(name, known));
-  if (reduced_volumes.empty())
-    throw UserError("Phase diagram/Reduced volumes is empty: give at least one number between 0 and 1.");
-}
-
 void OutputParameters::bind(ParameterSection &section)
 {
   section.flag("Solution", solution,
@@ -149,21 +56,16 @@ void OutputParameters::bind(ParameterSection &section)
 std::vector<ParameterSection> SurfaceScene::sections()
 {
   std::vector<ParameterSection> all;
-  const auto add = [&](const std::string &name, auto &parameters)
-  {
-    all.emplace_back(name);
-    parameters.bind(all.back());
-  };
-  add("Mesh", mesh);
-  add("Vesicle", vesicle);
+  add_section(all, "Mesh", mesh);
+  add_own_sections(all);
   for (const auto &effect : effects)
-    add(section_name(effect->name()), *effect);
-  add("Load", load);
-  add("Newton", newton);
-  add("Continuation", branch);
-  add("Phase diagram", phase_diagram);
-  add("Stability", stability);
-  add("Output", output);
+    add_section(all, section_name(effect->name()), *effect);
+  add_section(all, "Load", load);
+  add_section(all, "Newton", newton);
+  add_section(all, "Continuation", branch);
+  add_further_sections(all);
+  add_section(all, "Stability", stability);
+  add_section(all, "Output", output);
   return all;
 }
 
@@ -181,39 +83,6 @@ void SurfaceScene::check() const
 {
   for (const auto &effect : effects)
     effect->check();
-  if (has_analysis("phase diagram"))
-  {
-    phase_diagram.check();
-    for (const char *needed : {"helfrich bending", "area constraint", "volume constraint"})
-      if (!has_effect(needed))
-        throw UserError(std::string("The analysis 'phase diagram' varies the reduced volume of a vesicle: add '") +
-                        needed + "' to Effects.");
-  }
-  const bool free_rim = vesicle.rim == "free" && !has_effect("tether") && !has_effect("lipid domain");
-  if (!edges().empty() && free_rim && has_effect("pressure"))
-    throw UserError(
-        "The effect 'pressure' needs a volume, which a surface with a free rim does not have: set Vesicle/Rim "
-        "to hinged or clamped.");
-  if (vesicle.reference_shape != "start shape" &&
-      (!edges().empty() || vesicle.start_shape == "torus" || vesicle.start_shape == "file"))
-    throw UserError("Vesicle/Reference shape = " + vesicle.reference_shape +
-                    " and Vesicle/Start shape = " + vesicle.start_shape +
-                    " have no material points in common: take a closed start shape without domain.");
-  if (vesicle.semi_axes.size() != 3)
-    throw UserError("Section Vesicle: 'Semi axes' has " + std::to_string(vesicle.semi_axes.size()) +
-                    " numbers, three are needed, for example 1, 1, 1.2.");
-  if (vesicle.start_shape == "file" && mesh.file.empty())
-    throw UserError("Vesicle/Start shape is 'file', but Mesh/File names no file.");
-  if (vesicle.start_shape != "file" && !mesh.file.empty())
-    throw UserError("Mesh/File is '" + mesh.file + "', but Vesicle/Start shape is '" + vesicle.start_shape +
-                    "': set it to 'file', or remove Mesh/File.");
-  if (!edges().empty() && has_effect("volume constraint") && !has_effect("lipid domain"))
-    throw UserError("The effect 'volume constraint' needs a closed surface, but the start shape is open. Prescribe a "
-                    "pressure instead, or take a closed start shape.");
-  if (has_effect("area constraint") && has_effect("volume constraint") && vesicle.reduced_volume >= 1.)
-    throw UserError("Vesicle/Reduced volume = 1 with both area and volume constraint: only the sphere has it, and "
-                    "there the two constraints are not "
-                    "independent. Use a value below 1, or drop one of the two constraints.");
   if (stability.follow_unstable_mode && !has_analysis("stability"))
     throw UserError("Stability/Follow unstable mode needs the stability of each equilibrium: list it, 'set Analyses = "
                     "stability'.");
@@ -222,10 +91,7 @@ void SurfaceScene::check() const
   if (!load.parameter.empty() && load.to.empty() && load.from.empty())
     throw UserError("Section Load: 'Parameter' is '" + load.parameter +
                     "', but neither 'From' nor 'To' gives a value to come from or to go to.");
-  if (load.parameter.rfind("Mesh/", 0) == 0 || load.parameter.rfind("Newton/", 0) == 0 ||
-      load.parameter.rfind("Output/", 0) == 0 || load.parameter.rfind("Stability/", 0) == 0 ||
-      load.parameter.rfind("Continuation/", 0) == 0 || load.parameter.rfind("Load/", 0) == 0 ||
-      load.parameter == "Vesicle/Area")
+  if (is_fixed(load.parameter))
     throw UserError("Load/Parameter = " + load.parameter +
                     " cannot change during a run: it shapes the mesh, the scale or the run itself.");
   const PotentialSet set = potentials(Scales{}, targets(Scales{}));
@@ -241,14 +107,18 @@ void SurfaceScene::check() const
                     "'surface tension'.");
 }
 
+bool SurfaceScene::is_fixed(const std::string &parameter) const
+{
+  for (const char *section : {"Mesh/", "Newton/", "Output/", "Stability/", "Continuation/", "Load/"})
+    if (parameter.rfind(section, 0) == 0)
+      return true;
+  return false;
+}
+
 Scales SurfaceScene::scales() const
 {
   Scales scales;
-  scales.length       = std::sqrt(vesicle.area / (4. * pi));
-  const auto *tether  = find<TetherEffect>();
-  const auto *bending = find<HelfrichBendingEffect>();
-  if (tether != nullptr && bending != nullptr)
-    scales.length = std::sqrt(bending->parameters.bending_rigidity / (2. * tether->parameters.tension));
+  scales.length  = own_length();
   double largest = 0.;
   for (const auto &effect : effects)
     if (const std::optional<double> energy = effect->typical_energy(scales.length))
@@ -257,88 +127,16 @@ Scales SurfaceScene::scales() const
   return scales;
 }
 
-double SurfaceScene::target_volume() const
+NodalConditions SurfaceScene::conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const
 {
-  return vesicle.reduced_volume * 4. * pi / 3. * std::pow(vesicle.area / (4. * pi), 1.5);
-}
-
-StartShape SurfaceScene::start_shape() const
-{
-  StartShape shape;
-  shape.name           = vesicle.start_shape;
-  shape.area           = vesicle.area;
-  shape.reduced_volume = vesicle.reduced_volume;
-  shape.semi_axes      = {{vesicle.semi_axes[0], vesicle.semi_axes[1], vesicle.semi_axes[2]}};
-  shape.torus_ratio    = vesicle.torus_ratio;
-  shape.cap_angle      = vesicle.cap_angle * pi / 180.;
-  shape.tube_ratio     = vesicle.tube_ratio;
-  shape.file           = mesh.file;
-  shape.degree         = static_cast<unsigned int>(mesh.degree);
-  shape.refinements    = static_cast<unsigned int>(mesh.refinements);
-  shape.axial          = mesh.symmetry != "none";
-  shape.mirror         = mesh.symmetry == "axial mirror";
-  if (const auto *domain = find<LipidDomainEffect>())
-    shape.region_fraction = domain->parameters.area_fraction;
-  if (const auto *tether = find<TetherEffect>())
-  {
-    shape.name          = "annulus";
-    shape.inner_radius  = tether->parameters.tip_radius;
-    shape.outer_radius  = tether->parameters.ring_radius;
-    shape.smallest_cell = smallest_tether_cell(tether->parameters, shape);
-  }
-  return shape;
-}
-
-std::optional<StartShape> SurfaceScene::reference_shape() const
-{
-  if (vesicle.reference_shape == "start shape")
-    return std::nullopt;
-  StartShape shape     = start_shape();
-  shape.name           = vesicle.reference_shape;
-  shape.area           = vesicle.reference_area;
-  shape.reduced_volume = vesicle.reference_reduced_volume;
-  if (vesicle.reference_shape == "sphere")
-  {
-    shape.name      = "ellipsoid";
-    shape.semi_axes = {{1., 1., 1.}};
-  }
-  return shape;
-}
-
-bool SurfaceScene::splits_domain() const
-{
-  const auto *gaussian = find<GaussianCurvatureEffect>();
-  return has_effect("lipid domain") && gaussian != nullptr && gaussian->parameters.domain_difference != 0.;
-}
-
-std::vector<SceneEdge> SurfaceScene::edges() const
-{
-  const EdgeSupport rim = vesicle.rim == "free"     ? EdgeSupport::free
-                          : vesicle.rim == "hinged" ? EdgeSupport::hinged
-                                                    : EdgeSupport::clamped;
-  if (has_effect("tether"))
-    return {{"tip", EdgeSupport::clamped}, {"ring", EdgeSupport::clamped}};
-  if (has_effect("lipid domain"))
-  {
-    std::vector<SceneEdge> line{{domain_boundary, EdgeSupport::inner}};
-    if (splits_domain())
-      line.push_back({far_side(domain_boundary), EdgeSupport::far_side});
-    return line;
-  }
-  if (vesicle.start_shape == "cap" || vesicle.start_shape == "disc")
-    return {{"rim", rim}};
-  if (vesicle.start_shape == "tube")
-    return {{"upper rim", rim}, {"lower rim", rim}};
-  return {};
+  return edge_conditions(surface, targets);
 }
 
 SceneTargets SurfaceScene::targets(const Scales &scales) const
 {
   SceneTargets targets;
-  targets.area             = vesicle.area / scales.of(dimensions::area);
-  targets.volume           = target_volume() / scales.of(dimensions::volume);
-  targets.volume_of_sphere = targets.volume / vesicle.reduced_volume;
-  targets.edges            = edges();
+  set_targets(scales, targets);
+  targets.edges = edges();
   for (const auto &effect : effects)
     effect->prepare(scales, targets);
   return targets;
@@ -361,19 +159,11 @@ std::vector<ParameterDerivative> SurfaceScene::derivatives(const Scales &scales,
   return list;
 }
 
-SurfaceScene make_surface_scene(const EffectLibrary &library, const std::vector<std::string> &effects,
-                                const std::vector<std::string> &analyses)
+void list_effects(SurfaceScene &scene, const EffectLibrary &library, const std::vector<std::string> &effects,
+                  const std::vector<std::string> &analyses)
 {
-  SurfaceScene scene;
   for (const std::string &name : effects)
     scene.effects.push_back(library.create(name));
   scene.analyses = analyses;
-  return scene;
-}
-
-const std::vector<std::string> &analysis_names()
-{
-  static const std::vector<std::string> names{"stability", "phase diagram"};
-  return names;
 }
 } // namespace pellicle

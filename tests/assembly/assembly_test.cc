@@ -86,7 +86,7 @@ TEST(Assembler, WhatIsNotListedCostsNothing)
   Timing timing;
   const auto problem_with = [&](const std::vector<std::string> &effects)
   {
-    return SurfaceProblem(surface, make_surface_scene(standard_effects(), effects, {}).potentials(Scales{}), {},
+    return SurfaceProblem(surface, make_vesicle_scene(standard_effects(), effects, {}).potentials(Scales{}), {},
                           communicator, "mumps", timing);
   };
 
@@ -118,7 +118,7 @@ TEST(Assembler, NoUnknownsOfWhatIsNotListed)
   Timing timing;
   const auto names = [&](const std::vector<std::string> &effects)
   {
-    SurfaceScene scene     = make_surface_scene(standard_effects(), effects, {});
+    VesicleScene scene     = make_vesicle_scene(standard_effects(), effects, {});
     scene.mesh.degree      = 2;
     scene.mesh.refinements = 0;
     scene.newton.chart     = "graph";

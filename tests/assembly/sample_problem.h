@@ -4,7 +4,7 @@
 
 #include <pellicle/assembly/assembler.h>
 #include <pellicle/discretization/builders.h>
-#include <pellicle/models/surface_scene.h>
+#include <pellicle/models/vesicle_scene.h>
 #include <pellicle/potentials/constraints/enclosed_volume.h>
 #include <pellicle/potentials/constraints/total_area.h>
 #include <pellicle/potentials/density_potential.h>

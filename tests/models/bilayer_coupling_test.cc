@@ -28,10 +28,10 @@ constexpr Vesicle symmetric = {"prolate", 0.90, 1.06, 1.313226014928, 28.0953372
 constexpr Vesicle pear      = {"prolate", 0.90, 1.06, 1.253739211965, 13.69731648, 15.33951640, -12.81987566};
 constexpr Vesicle slim_pear = {"prolate", 0.90, 1.10, 1.472113474174, 12.50852367, 16.39103064, -9.33192705};
 
-SurfaceScene scene_of(const std::vector<std::string> &effects, const Vesicle &v, const int degree,
+VesicleScene scene_of(const std::vector<std::string> &effects, const Vesicle &v, const int degree,
                       const int refinements, const std::string &symmetry)
 {
-  SurfaceScene scene           = scene_with(effects);
+  VesicleScene scene           = scene_with(effects);
   scene.vesicle.start_shape    = v.start;
   scene.vesicle.reduced_volume = v.reduced_volume;
   scene.mesh.degree            = degree;
@@ -40,9 +40,9 @@ SurfaceScene scene_of(const std::vector<std::string> &effects, const Vesicle &v,
   return scene;
 }
 
-SurfaceScene coupled(const Vesicle &v, const int degree, const int refinements, const std::string &symmetry = "axial")
+VesicleScene coupled(const Vesicle &v, const int degree, const int refinements, const std::string &symmetry = "axial")
 {
-  SurfaceScene scene = scene_of({"helfrich bending", "area constraint", "volume constraint", "bilayer coupling"}, v,
+  VesicleScene scene = scene_of({"helfrich bending", "area constraint", "volume constraint", "bilayer coupling"}, v,
                                 degree, refinements, symmetry);
   effect<BilayerCouplingEffect>(scene).parameters.integrated_mean_curvature = 4. * pi * v.mean_curvature;
   return scene;
@@ -74,7 +74,7 @@ TEST(BilayerCoupling, SpheresAtAnyMultiplier)
   for (const Mesh mesh : {Mesh{"axial", 3, 1e-9}, Mesh{"none", 2, 1e-6}})
     for (const double R : {0.5, 1., 3.})
     {
-      SurfaceScene scene                              = scene_with({"helfrich bending", "bilayer coupling"});
+      VesicleScene scene                              = scene_with({"helfrich bending", "bilayer coupling"});
       scene.vesicle.start_shape                       = "ellipsoid";
       scene.vesicle.semi_axes                         = {1., 1., 1.};
       scene.vesicle.area                              = 4. * pi * R * R;
@@ -150,7 +150,7 @@ TEST(BilayerCoupling, MultiplierIsTheSlopeOfTheEnergy)
 // Beyond M/(4 pi) = 1.05048 the prolate is a saddle, from which pears branch off.
 TEST(BilayerCoupling, Pears)
 {
-  SurfaceScene scene = coupled(symmetric, 4, 4);
+  VesicleScene scene = coupled(symmetric, 4, 4);
   {
     const Solved saddle(scene);
     ASSERT_TRUE(saddle.result.converged) << saddle.result.failure;
@@ -174,7 +174,7 @@ TEST(BilayerCoupling, Pears)
 TEST(BilayerCoupling, AreaDifferenceElasticity)
 {
   constexpr double stiffness = 1.5;
-  SurfaceScene scene =
+  VesicleScene scene =
       scene_of({"helfrich bending", "area constraint", "volume constraint", "area difference elasticity"}, dumbbell, 5,
                4, "axial");
   const double M                                           = 4. * pi * dumbbell.mean_curvature;

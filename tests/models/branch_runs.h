@@ -12,7 +12,7 @@
 namespace pellicle::test
 {
 /** A scene with a value of the parameter that is varied. */
-using SceneAt = std::function<SurfaceScene(double)>;
+using SceneAt = std::function<VesicleScene(double)>;
 
 class Messages : public Observer
 {
@@ -51,9 +51,10 @@ public:
       result.failure = "no equilibrium at the start: " + first.failure;
       return;
     }
-    result = model.follow_branch(branch, start, scene_at, messages,
-                                 [&](const SurfaceModel::PointOnBranch &here)
-                                 {
+    const auto scene = [&](const double p) { return std::make_unique<VesicleScene>(scene_at(p)); };
+    result           = model.follow_branch(branch, start, scene, messages,
+                                           [&](const SurfaceModel::PointOnBranch &here)
+                                           {
                                    const NodalVectors &positions = model.equilibrium().state().fields[0];
                                    points.push_back({here.point.parameter, here.point.is_fold,
                                                      here.negative_eigenvalues, model.equilibrium().energy(), positions,

@@ -41,7 +41,7 @@ void expect_balloon(const Balloon &balloon, const int degree, const int refineme
 {
   const auto scene_at = [&](const double pressure)
   {
-    SurfaceScene scene                                = scene_with({balloon.skin, "pressure"});
+    VesicleScene scene                                = scene_with({balloon.skin, "pressure"});
     scene.vesicle.start_shape                         = "ellipsoid";
     scene.vesicle.semi_axes                           = {1., 1., 1.};
     scene.mesh.degree                                 = degree;
@@ -169,9 +169,9 @@ TEST(Branches, SwitchedAtABifurcation)
 }
 
 /** A tube pulled by a force on its tip; at sigma = .5 the radius of tubes is 1 and their force f0 = 2 pi. */
-SurfaceScene tether(const double force)
+VesicleScene tether(const double force)
 {
-  SurfaceScene scene           = scene_with({"helfrich bending", "tether"});
+  VesicleScene scene           = scene_with({"helfrich bending", "tether"});
   scene.mesh.symmetry          = "axial";
   scene.mesh.degree            = 4;
   scene.mesh.refinements       = 3;

@@ -13,7 +13,7 @@ namespace
 using namespace pellicle;
 using namespace pellicle::test;
 
-SurfaceScene unit_sphere(SurfaceScene scene, const int degree, const int refinements,
+VesicleScene unit_sphere(VesicleScene scene, const int degree, const int refinements,
                          const std::string &symmetry = "none")
 {
   scene.vesicle.start_shape = "ellipsoid";
@@ -34,7 +34,7 @@ struct SphereForces
 SphereForces forces_on_sphere(const double C0, const double sigma, const double pressure, const int degree,
                               const int refinements, const std::function<double(const Vector3<double> &)> &u)
 {
-  SurfaceScene scene =
+  VesicleScene scene =
       unit_sphere(scene_with({"helfrich bending", "surface tension", "pressure"}), degree, refinements);
   effect<HelfrichBendingEffect>(scene).parameters.spontaneous_curvature = C0;
   effect<SurfaceTensionEffect>(scene).parameters.tension                = sigma;
@@ -87,7 +87,7 @@ TEST(EquilibriumForces, DropBecomesASphere)
 {
   for (const std::string symmetry : {"none", "axial"})
   {
-    SurfaceScene scene        = scene_with({"surface tension", "volume constraint"});
+    VesicleScene scene        = scene_with({"surface tension", "volume constraint"});
     scene.vesicle.start_shape = "ellipsoid";
     scene.vesicle.semi_axes   = {1., 1., 1.3};
     if (symmetry == "none")
@@ -127,7 +127,7 @@ TEST(EquilibriumForces, OneConstraintAndAPenaltyAreFineOnASphere)
 {
   Communicator communicator;
   Timing timing;
-  SurfaceScene scene                                       = unit_sphere(vesicle("ellipsoid", 0.95, 3, 1), 3, 1);
+  VesicleScene scene                                       = unit_sphere(vesicle("ellipsoid", 0.95, 3, 1), 3, 1);
   effect<AreaConstraintEffect>(scene).parameters.stiffness = 100.;
   EXPECT_NO_THROW(SurfaceModel(scene, communicator, timing));
 }
@@ -138,7 +138,7 @@ TEST(EquilibriumForces, PenaltyOnTheArea)
   double last = 1.;
   for (const double c : {1e2, 1e4, 1e6})
   {
-    SurfaceScene scene                                       = vesicle("prolate", 0.95, 3, 1);
+    VesicleScene scene                                       = vesicle("prolate", 0.95, 3, 1);
     effect<AreaConstraintEffect>(scene).parameters.stiffness = c;
     const Solved solved(scene);
     ASSERT_TRUE(solved.result.converged) << "c = " << c << ": " << solved.result.failure;

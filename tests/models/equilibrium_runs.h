@@ -5,6 +5,7 @@
 #include <pellicle/base/constants.h>
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_model.h>
+#include <pellicle/models/vesicle_scene.h>
 #include <pellicle/potentials/constraints/total_area.h>
 #include <pellicle/potentials/energies/helfrich_bending.h>
 #include <pellicle/potentials/energies/pressure.h>
@@ -23,15 +24,15 @@ namespace pellicle::test
 {
 /** A scene with default parameters: area 4 pi, kappa 1, so that the user's units are the internal ones. Equilibria are
  * told from saddles by the number of negative eigenvalues; modes are not computed. */
-inline SurfaceScene scene_with(const std::vector<std::string> &effects)
+inline VesicleScene scene_with(const std::vector<std::string> &effects)
 {
-  SurfaceScene scene          = make_surface_scene(standard_effects(), effects, {"stability"});
+  VesicleScene scene          = make_vesicle_scene(standard_effects(), effects, {"stability"});
   scene.stability.eigenvalues = 0;
   return scene;
 }
 
 template <typename EffectType>
-EffectType &effect(SurfaceScene &scene)
+EffectType &effect(VesicleScene &scene)
 {
   for (const auto &listed : scene.effects)
     if (auto *found = dynamic_cast<EffectType *>(listed.get()))
@@ -40,10 +41,10 @@ EffectType &effect(SurfaceScene &scene)
 }
 
 /** Bending under fixed area and volume: the vesicle of Seifert, Berndl & Lipowsky, Phys. Rev. A 44, 1182 (1991). */
-inline SurfaceScene vesicle(const std::string &start_shape, const double reduced_volume, const int degree,
+inline VesicleScene vesicle(const std::string &start_shape, const double reduced_volume, const int degree,
                             const int refinements, const std::string &symmetry = "none")
 {
-  SurfaceScene scene           = scene_with({"helfrich bending", "area constraint", "volume constraint"});
+  VesicleScene scene           = scene_with({"helfrich bending", "area constraint", "volume constraint"});
   scene.vesicle.start_shape    = start_shape;
   scene.vesicle.reduced_volume = reduced_volume;
   scene.mesh.degree            = degree;
@@ -70,7 +71,7 @@ inline double relative_error(const double value, const double exact)
 class Solved
 {
 public:
-  explicit Solved(const SurfaceScene &scene)
+  explicit Solved(const VesicleScene &scene)
       : model(scene, communicator, timing)
       , result(model.solve(1, record))
       , seconds(timing.total())
@@ -96,7 +97,7 @@ public:
 
 /** Load steps as the application takes them, from an equilibrium: scene(t) for t from 0 (that of the model) to 1.
  * Returns the last t that was reached; `solved.result` is that of the last attempt. */
-inline double walk(Solved &solved, const int steps, const std::function<SurfaceScene(double t)> &scene)
+inline double walk(Solved &solved, const int steps, const std::function<VesicleScene(double t)> &scene)
 {
   LoadParameters load;
   load.steps = steps;

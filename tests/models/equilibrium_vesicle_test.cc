@@ -50,7 +50,7 @@ TEST(EquilibriumVesicle, OblateNearTheSphereIsASaddle)
 {
   for (const std::string chart : {"graph", "ale"})
   {
-    SurfaceScene scene = vesicle("oblate", 0.95, 3, 2);
+    VesicleScene scene = vesicle("oblate", 0.95, 3, 2);
     scene.newton.chart = chart;
     Solved oblate(scene);
     ASSERT_TRUE(oblate.result.converged) << chart << ": " << oblate.result.failure;
@@ -108,7 +108,7 @@ TEST(EquilibriumVesicle, Axial)
 
 TEST(EquilibriumVesicle, StomatocyteAxial)
 {
-  SurfaceScene scene = vesicle("stomatocyte", 0.62, 4, 4, "axial");
+  VesicleScene scene = vesicle("stomatocyte", 0.62, 4, 4, "axial");
   const Solved solved(scene);
   ASSERT_TRUE(solved.result.converged) << solved.result.failure;
   EXPECT_NEAR(relative(solved.energy(), stomatocyte_62), 0., 1e-6);
@@ -120,7 +120,7 @@ TEST(EquilibriumVesicle, StomatocyteAxial)
 
 TEST(EquilibriumVesicle, Stomatocyte)
 {
-  SurfaceScene scene = vesicle("stomatocyte", 0.62, 3, 3);
+  VesicleScene scene = vesicle("stomatocyte", 0.62, 3, 3);
   const Solved solved(scene);
   ASSERT_TRUE(solved.result.converged) << solved.result.failure;
   const NodalCurvature curvature = nodal_curvature(solved.model.mesh(), solved.positions());
@@ -140,7 +140,7 @@ TEST(EquilibriumVesicle, NodeNoise)
   for (const Mesh mesh : {Mesh{2, 2}, Mesh{3, 1}, Mesh{4, 1}})
     for (int seed = 1; seed <= 3; ++seed)
     {
-      SurfaceScene scene        = vesicle("prolate", 0.95, mesh.degree, mesh.refinements);
+      VesicleScene scene        = vesicle("prolate", 0.95, mesh.degree, mesh.refinements);
       scene.vesicle.node_noise  = 0.05;
       scene.vesicle.random_seed = seed;
       const Solved solved(scene);
@@ -154,7 +154,7 @@ TEST(EquilibriumVesicle, NodeNoise)
 TEST(EquilibriumVesicle, UnitsDoNotMatter)
 {
   const Solved ours(vesicle("prolate", 0.8, 3, 1));
-  SurfaceScene scene                                               = vesicle("prolate", 0.8, 3, 1);
+  VesicleScene scene                                               = vesicle("prolate", 0.8, 3, 1);
   scene.vesicle.area                                               = 4. * pi * 1e-18;
   effect<HelfrichBendingEffect>(scene).parameters.bending_rigidity = 8.2e-20;
   const Solved si(scene);

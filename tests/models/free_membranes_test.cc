@@ -11,12 +11,12 @@ namespace
 using namespace pellicle;
 using namespace pellicle::test;
 
-SurfaceScene free_disc(const double C0, const double kappa_G, const double lambda, const OpenMesh &mesh)
+VesicleScene free_disc(const double C0, const double kappa_G, const double lambda, const OpenMesh &mesh)
 {
   std::vector<std::string> effects{"helfrich bending", "area constraint", "line tension"};
   if (kappa_G != 0.)
     effects.push_back("gaussian curvature");
-  SurfaceScene scene                                                    = open_scene(effects, "disc", "free", mesh);
+  VesicleScene scene                                                    = open_scene(effects, "disc", "free", mesh);
   scene.vesicle.area                                                    = pi;
   effect<HelfrichBendingEffect>(scene).parameters.spontaneous_curvature = C0;
   effect<LineTensionEffect>(scene).parameters.line_tension              = lambda;
@@ -175,7 +175,7 @@ TEST(FreeMembranes, FlatDiscUnderLineTension)
 /** The problem of an open scene in the user's units, at its start shape. */
 struct Problem
 {
-  explicit Problem(const SurfaceScene &scene)
+  explicit Problem(const VesicleScene &scene)
       : mesh(make_start_shape(scene.start_shape()))
   {
     SceneTargets targets         = scene.targets(Scales{});
@@ -200,7 +200,7 @@ TEST(FreeMembranes, EnergyOfASphericalDishInSpace)
   double error[2];
   for (const int i : {0, 1})
   {
-    SurfaceScene scene      = open_scene({"helfrich bending", "gaussian curvature"}, "cap", "free", {"none", 3, 1 + i});
+    VesicleScene scene      = open_scene({"helfrich bending", "gaussian curvature"}, "cap", "free", {"none", 3, 1 + i});
     scene.vesicle.area      = pi;
     scene.vesicle.cap_angle = 60.;
     effect<HelfrichBendingEffect>(scene).parameters.spontaneous_curvature = dishes[0].C0;
@@ -215,7 +215,7 @@ TEST(FreeMembranes, EnergyOfASphericalDishInSpace)
 // No energy knows where the surface is and how it is turned.
 TEST(FreeMembranes, RigidMotions)
 {
-  SurfaceScene scene = open_scene({"helfrich bending", "surface tension", "line tension", "gaussian curvature"}, "cap",
+  VesicleScene scene = open_scene({"helfrich bending", "surface tension", "line tension", "gaussian curvature"}, "cap",
                                   "free", {"none", 3, 1});
   scene.vesicle.cap_angle                                               = 70.;
   effect<HelfrichBendingEffect>(scene).parameters.spontaneous_curvature = 0.4;
@@ -250,7 +250,7 @@ TEST(FreeMembranes, ClosedSurfacesHaveAConstantGaussianEnergy)
        {std::tuple{"prolate", "axial", 4. * pi}, std::tuple{"prolate", "none", 4. * pi},
         std::tuple{"torus", "none", 0.}})
   {
-    SurfaceScene plain = vesicle(shape, 0.7, 3, 1, symmetry),
+    VesicleScene plain = vesicle(shape, 0.7, 3, 1, symmetry),
                  scene = scene_with({"helfrich bending", "gaussian curvature", "area constraint", "volume constraint"});
     if (symmetry == std::string("axial"))
       plain.mesh.refinements = 3;

@@ -16,7 +16,7 @@ using namespace pellicle::test;
 class GivenShape
 {
 public:
-  explicit GivenShape(const SurfaceScene &scene)
+  explicit GivenShape(const VesicleScene &scene)
       : model(scene, communicator, timing)
   {
   }
@@ -58,9 +58,9 @@ private:
   SurfaceModel model;
 };
 
-SurfaceScene bending_only(const std::string &shape, const int degree, const int refinements)
+VesicleScene bending_only(const std::string &shape, const int degree, const int refinements)
 {
-  SurfaceScene scene        = scene_with({"helfrich bending"});
+  VesicleScene scene        = scene_with({"helfrich bending"});
   scene.vesicle.start_shape = shape;
   scene.vesicle.semi_axes   = {1., 1., 1.};
   scene.mesh.degree         = degree;
@@ -68,18 +68,18 @@ SurfaceScene bending_only(const std::string &shape, const int degree, const int 
   return scene;
 }
 
-SurfaceScene spheroid(const int degree, const int refinements)
+VesicleScene spheroid(const int degree, const int refinements)
 {
-  SurfaceScene scene      = bending_only("ellipsoid", degree, refinements);
+  VesicleScene scene      = bending_only("ellipsoid", degree, refinements);
   scene.vesicle.semi_axes = {0.5, 0.5, 1.};
   scene.vesicle.area      = 5.369608831971;
   return scene;
 }
 constexpr double spheroid_energy = 30.903213288654;
 
-SurfaceScene biconcave(const int degree, const int refinements)
+VesicleScene biconcave(const int degree, const int refinements)
 {
-  SurfaceScene scene = bending_only("biconcave", degree, refinements);
+  VesicleScene scene = bending_only("biconcave", degree, refinements);
   scene.vesicle.area = 8.314387691448;
   return scene;
 }
@@ -149,7 +149,7 @@ TEST(GivenShapes, SpontaneousCurvatureOfEitherSign)
   for (const std::string symmetry : {"none", "axial", "axial mirror"})
     for (const double C0 : {1., -1.})
     {
-      SurfaceScene scene                                                    = bending_only("ellipsoid", 3, 3);
+      VesicleScene scene                                                    = bending_only("ellipsoid", 3, 3);
       scene.mesh.symmetry                                                   = symmetry;
       effect<HelfrichBendingEffect>(scene).parameters.spontaneous_curvature = C0;
       const double exact                                                    = C0 > 0. ? 2. * pi : 18. * pi;
@@ -171,8 +171,8 @@ TEST(GivenShapes, MeridiansGiveTheSame)
 {
   for (const std::string symmetry : {"axial", "axial mirror"})
   {
-    SurfaceScene sphere = bending_only("ellipsoid", 4, 4), ellipsoid = spheroid(4, 4), disc = biconcave(4, 4);
-    for (SurfaceScene *scene : {&sphere, &ellipsoid, &disc})
+    VesicleScene sphere = bending_only("ellipsoid", 4, 4), ellipsoid = spheroid(4, 4), disc = biconcave(4, 4);
+    for (VesicleScene *scene : {&sphere, &ellipsoid, &disc})
       scene->mesh.symmetry = symmetry;
     const GivenShape s(sphere), e(ellipsoid), d(disc);
     EXPECT_NEAR(s.energy() / (8. * pi), 1., 1e-13) << symmetry;

@@ -61,7 +61,7 @@ TEST(Jumps, UnknownParameter)
 {
   const auto scene_at = [](const double kappa)
   {
-    SurfaceScene scene                                               = vesicle("prolate", 0.9, 3, 2, "axial");
+    VesicleScene scene                                               = vesicle("prolate", 0.9, 3, 2, "axial");
     effect<HelfrichBendingEffect>(scene).parameters.bending_rigidity = kappa;
     return scene;
   };
@@ -88,9 +88,9 @@ TEST(Jumps, ConjugateForces)
 {
   EXPECT_LT(slope_defect(vesicles("prolate"), "Vesicle/Reduced volume", 0.8, 1e-3), 1e-5);
 
-  SurfaceScene (*curved)(double) = [](const double C0)
+  VesicleScene (*curved)(double) = [](const double C0)
   {
-    SurfaceScene scene =
+    VesicleScene scene =
         scene_with({"helfrich bending", "area constraint", "volume constraint", "area difference elasticity"});
     scene.vesicle.reduced_volume                                                       = 0.9;
     scene.mesh.degree                                                                  = 4;

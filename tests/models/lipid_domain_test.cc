@@ -30,13 +30,13 @@ constexpr Vesicle cap     = {3., 0.787266770438, -0.039217225, -2.702331897, -5.
 constexpr Vesicle bud     = {6., 0.926116196968, -2.728891579, 1.140696798, 3.138834624, 0.5420577828, 2.674154482};
 constexpr double bud_neck = 0.5290650835;
 
-SurfaceScene scene_of(const double C0, const int degree, const int refinements, const std::string &symmetry = "axial",
+VesicleScene scene_of(const double C0, const int degree, const int refinements, const std::string &symmetry = "axial",
                       const double line_tension = 0.)
 {
   std::vector<std::string> effects{"helfrich bending", "lipid domain", "area constraint", "volume constraint"};
   if (line_tension != 0.)
     effects.push_back("line tension");
-  SurfaceScene scene                          = scene_with(effects);
+  VesicleScene scene                          = scene_with(effects);
   scene.vesicle.start_shape                   = "prolate";
   scene.vesicle.reduced_volume                = 0.9;
   scene.mesh.degree                           = degree;
@@ -127,7 +127,7 @@ TEST(LipidDomain, OfTheSameLipids)
 TEST(LipidDomain, UnitsDoNotMatter)
 {
   constexpr double length = 1e-7, kappa = 1e-19;
-  SurfaceScene scene                                               = scene_of(cap.C0 / length, 4, 3);
+  VesicleScene scene                                               = scene_of(cap.C0 / length, 4, 3);
   scene.vesicle.area                                               = 4. * pi * length * length;
   effect<HelfrichBendingEffect>(scene).parameters.bending_rigidity = kappa;
   effect<LipidDomainEffect>(scene).parameters.bending_rigidity     = kappa;

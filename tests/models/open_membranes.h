@@ -18,10 +18,10 @@ struct OpenMesh
   int degree, refinements;
 };
 
-inline SurfaceScene open_scene(const std::vector<std::string> &effects, const std::string &start_shape,
+inline VesicleScene open_scene(const std::vector<std::string> &effects, const std::string &start_shape,
                                const std::string &rim, const OpenMesh &mesh)
 {
-  SurfaceScene scene        = scene_with(effects);
+  VesicleScene scene        = scene_with(effects);
   scene.vesicle.start_shape = start_shape;
   scene.vesicle.rim         = rim;
   scene.mesh.symmetry       = mesh.symmetry;

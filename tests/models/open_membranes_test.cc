@@ -31,9 +31,9 @@ struct Catenoid
 };
 constexpr double largest_distance = 1.3254868; // of rings of radius 1
 
-SurfaceScene film(const double H, const OpenMesh &mesh, const std::vector<std::string> &effects = {"surface tension"})
+VesicleScene film(const double H, const OpenMesh &mesh, const std::vector<std::string> &effects = {"surface tension"})
 {
-  SurfaceScene scene       = open_scene(effects, "tube", "hinged", mesh);
+  VesicleScene scene       = open_scene(effects, "tube", "hinged", mesh);
   scene.vesicle.area       = 2. * pi * H;
   scene.vesicle.tube_ratio = H;
   return scene;
@@ -124,7 +124,7 @@ TEST(OpenMembranes, ClampedCaps)
         const std::string what =
             std::string(mesh.symmetry) + ", angle " + std::to_string(angle) + ", C0 = " + std::to_string(C0);
         const double height = 1. - std::cos(angle * pi / 180.), area = 2. * pi * height;
-        SurfaceScene scene = open_scene({"helfrich bending", "surface tension", "pressure"}, "cap", "clamped", mesh);
+        VesicleScene scene = open_scene({"helfrich bending", "surface tension", "pressure"}, "cap", "clamped", mesh);
         scene.vesicle.area = area;
         scene.vesicle.cap_angle                                               = angle;
         effect<HelfrichBendingEffect>(scene).parameters.spontaneous_curvature = C0;
@@ -155,13 +155,13 @@ constexpr Bulge bulges[] = {
     {"hinged", 5., 0.220557393943, 0.701299118606, 0.124857141266, 0.312510005703},
 };
 
-SurfaceScene bulging_disc(const std::string &rim, const double pressure, const OpenMesh &mesh,
+VesicleScene bulging_disc(const std::string &rim, const double pressure, const OpenMesh &mesh,
                           const double kappa_G = 0.)
 {
   std::vector<std::string> effects{"helfrich bending", "surface tension", "pressure"};
   if (kappa_G != 0.)
     effects.push_back("gaussian curvature");
-  SurfaceScene scene                                = open_scene(effects, "disc", rim, mesh);
+  VesicleScene scene                                = open_scene(effects, "disc", rim, mesh);
   scene.vesicle.area                                = pi;
   effect<PressureEffect>(scene).parameters.pressure = pressure;
   if (kappa_G != 0.)

@@ -4,6 +4,7 @@
 #include "branch_runs.h"
 
 #include <pellicle/models/edge_conditions.h>
+#include <pellicle/models/rim_conormals.h>
 #include <pellicle/models/surface_branch.h>
 #include <pellicle/potentials/constraints/bilayer_curvature.h>
 #include <pellicle/potentials/constraints/enclosed_volume.h>
@@ -25,7 +26,7 @@ using namespace pellicle::test;
 class Deformed
 {
 public:
-  explicit Deformed(const SurfaceScene &scene)
+  explicit Deformed(const VesicleScene &scene)
       : unit(scene.scales())
       , mesh(make_start_shape(scene.start_shape()))
   {
@@ -62,7 +63,7 @@ public:
     problem->set_state(state);
   }
 
-  PotentialSet potentials_of(const SurfaceScene &scene)
+  PotentialSet potentials_of(const VesicleScene &scene)
   {
     targets = scene.targets(unit);
     for (SceneEdge &edge : targets.edges)
@@ -156,12 +157,12 @@ struct Case
   std::vector<std::string> effects;
   std::string parameter;
   double value;
-  std::function<void(SurfaceScene &, double)> set;
+  std::function<void(VesicleScene &, double)> set;
 };
 
-SurfaceScene scene_of(const Case &which, const double value)
+VesicleScene scene_of(const Case &which, const double value)
 {
-  SurfaceScene scene                                                    = scene_with(which.effects);
+  VesicleScene scene                                                    = scene_with(which.effects);
   scene.vesicle.area                                                    = 4. * pi * 1.7 * 1.7;
   scene.vesicle.start_shape                                             = "prolate";
   scene.vesicle.reduced_volume                                          = 0.8;
@@ -184,23 +185,23 @@ SurfaceScene scene_of(const Case &which, const double value)
 
 const std::string bending = "helfrich bending";
 
-void set_curvature(SurfaceScene &scene, const double value)
+void set_curvature(VesicleScene &scene, const double value)
 {
   effect<HelfrichBendingEffect>(scene).parameters.spontaneous_curvature = value;
 }
-void set_domain_curvature(SurfaceScene &scene, const double value)
+void set_domain_curvature(VesicleScene &scene, const double value)
 {
   effect<LipidDomainEffect>(scene).parameters.spontaneous_curvature = value;
 }
-void set_domain_fraction(SurfaceScene &scene, const double value)
+void set_domain_fraction(VesicleScene &scene, const double value)
 {
   effect<LipidDomainEffect>(scene).parameters.area_fraction = value;
 }
-void set_line_tension(SurfaceScene &scene, const double value)
+void set_line_tension(VesicleScene &scene, const double value)
 {
   effect<LineTensionEffect>(scene).parameters.line_tension = value;
 }
-void set_volume(SurfaceScene &scene, const double value)
+void set_volume(VesicleScene &scene, const double value)
 {
   scene.vesicle.reduced_volume = value;
 }
@@ -218,7 +219,7 @@ std::vector<Case> all_cases()
       {{bending, "volume constraint"},
        "Vesicle/Reduced volume",
        0.8,
-       [](SurfaceScene &scene, const double value)
+       [](VesicleScene &scene, const double value)
        {
          set_volume(scene, value);
          effect<VolumeConstraintEffect>(scene).parameters.stiffness = 50.;
@@ -226,12 +227,12 @@ std::vector<Case> all_cases()
       {{bending, "bilayer coupling"},
        "Bilayer coupling/Integrated mean curvature",
        20.,
-       [](SurfaceScene &scene, const double value)
+       [](VesicleScene &scene, const double value)
        { effect<BilayerCouplingEffect>(scene).parameters.integrated_mean_curvature = value; }},
       {{bending, "area difference elasticity"},
        "Area difference elasticity/Integrated mean curvature",
        20.,
-       [](SurfaceScene &scene, const double value)
+       [](VesicleScene &scene, const double value)
        { effect<AreaDifferenceElasticityEffect>(scene).parameters.integrated_mean_curvature = value; }},
       {{bending, "line tension"}, "Line tension/Line tension", 1.5, set_line_tension},
       {{bending, "line tension", "lipid domain"}, "Line tension/Line tension", 1.5, set_line_tension},
@@ -241,11 +242,11 @@ std::vector<Case> all_cases()
       {{bending, "tether"},
        "Tether/Length",
        4.,
-       [](SurfaceScene &scene, const double value) { effect<TetherEffect>(scene).parameters.length = value; }},
+       [](VesicleScene &scene, const double value) { effect<TetherEffect>(scene).parameters.length = value; }},
       {{bending, "tether"},
        "Tether/Force",
        3.,
-       [](SurfaceScene &scene, const double value)
+       [](VesicleScene &scene, const double value)
        {
          effect<TetherEffect>(scene).parameters.control = "force";
          effect<TetherEffect>(scene).parameters.force   = value;
@@ -253,15 +254,15 @@ std::vector<Case> all_cases()
       {{bending, "tether"},
        "Tether/Tension",
        0.5,
-       [](SurfaceScene &scene, const double value) { effect<TetherEffect>(scene).parameters.tension = value; }},
+       [](VesicleScene &scene, const double value) { effect<TetherEffect>(scene).parameters.tension = value; }},
       {{bending, "surface tension"},
        "Surface tension/Surface tension",
        0.9,
-       [](SurfaceScene &scene, const double value) { effect<SurfaceTensionEffect>(scene).parameters.tension = value; }},
+       [](VesicleScene &scene, const double value) { effect<SurfaceTensionEffect>(scene).parameters.tension = value; }},
       {{bending, "pressure"},
        "Pressure/Pressure",
        1.1,
-       [](SurfaceScene &scene, const double value) { effect<PressureEffect>(scene).parameters.pressure = value; }},
+       [](VesicleScene &scene, const double value) { effect<PressureEffect>(scene).parameters.pressure = value; }},
   };
 }
 
@@ -291,7 +292,7 @@ TEST(ParameterDerivatives, InSpace)
     {
       const SceneAt scene_at = [&](const double value)
       {
-        SurfaceScene scene     = scene_of(which, value);
+        VesicleScene scene     = scene_of(which, value);
         scene.mesh.symmetry    = "none";
         scene.mesh.refinements = 0;
         return scene;
@@ -307,7 +308,7 @@ TEST(ParameterDerivatives, AllAreTested)
   for (const Case &which : all_cases())
   {
     tested.insert(which.parameter);
-    const SurfaceScene scene = scene_of(which, which.value);
+    const VesicleScene scene = scene_of(which, which.value);
     for (const ParameterDerivative &derivative : scene.derivatives(scene.scales(), scene.targets(scene.scales())))
       offered.insert(derivative.parameter);
   }

@@ -56,9 +56,9 @@ struct Mesh
 };
 constexpr Mesh meridian{"axial", 4, 3, 1e-9}, surface{"none", 3, 2, 2e-5};
 
-SurfaceScene scene_on(const Mesh &mesh, const std::vector<std::string> &effects, const std::string &start_shape)
+VesicleScene scene_on(const Mesh &mesh, const std::vector<std::string> &effects, const std::string &start_shape)
 {
-  SurfaceScene scene        = scene_with(effects);
+  VesicleScene scene        = scene_with(effects);
   scene.vesicle.start_shape = start_shape;
   scene.mesh.degree         = mesh.degree;
   scene.mesh.refinements    = mesh.refinements;
@@ -67,9 +67,9 @@ SurfaceScene scene_on(const Mesh &mesh, const std::vector<std::string> &effects,
 }
 
 /** A skin without stress on a sphere of radius 1, under pressure. */
-SurfaceScene balloon(const Mesh &mesh, const std::string &skin, const double pressure)
+VesicleScene balloon(const Mesh &mesh, const std::string &skin, const double pressure)
 {
-  SurfaceScene scene                                = scene_on(mesh, {skin, "pressure"}, "ellipsoid");
+  VesicleScene scene                                = scene_on(mesh, {skin, "pressure"}, "ellipsoid");
   scene.vesicle.semi_axes                           = {1., 1., 1.};
   effect<PressureEffect>(scene).parameters.pressure = pressure;
   return scene;
@@ -123,7 +123,7 @@ TEST(Skins, ReferenceShapeIsNotTheStartShape)
   for (const Mesh &mesh : {meridian, surface})
     for (const double l : {1., 1.4})
     {
-      SurfaceScene scene            = balloon(mesh, skalak.name, skalak.pressure(l) / R);
+      VesicleScene scene            = balloon(mesh, skalak.name, skalak.pressure(l) / R);
       scene.vesicle.semi_axes       = {1., 1., 1.3};
       scene.vesicle.reference_shape = "sphere";
       scene.vesicle.reference_area  = 4. * pi * R * R;
@@ -138,9 +138,9 @@ TEST(Skins, ReferenceShapeIsNotTheStartShape)
 
 /** A capsule: Skalak skin with G = 10 and the given C, stress free on the sphere of area 4 pi, bending with kappa = 1,
  * less volume than the sphere. */
-SurfaceScene capsule(const Mesh &mesh, const std::string &start_shape, const double reduced_volume, const double C)
+VesicleScene capsule(const Mesh &mesh, const std::string &start_shape, const double reduced_volume, const double C)
 {
-  SurfaceScene scene            = scene_on(mesh, {"helfrich bending", "skalak skin", "volume constraint"}, start_shape);
+  VesicleScene scene            = scene_on(mesh, {"helfrich bending", "skalak skin", "volume constraint"}, start_shape);
   scene.vesicle.reduced_volume  = reduced_volume;
   scene.vesicle.reference_shape = "sphere";
   effect<SkinEffect<SkalakSkin>>(scene).law = {10., C};
@@ -167,7 +167,7 @@ TEST(Skins, CapsuleStaysASphere)
 /** The problem of a scene in the user's units, at its start shape. */
 struct Problem
 {
-  explicit Problem(const SurfaceScene &scene)
+  explicit Problem(const VesicleScene &scene)
       : mesh(make_start_shape(scene.start_shape()))
   {
     SceneTargets targets = scene.targets(Scales{});

@@ -27,10 +27,10 @@ constexpr Vesicle known[] = {
     {"oblate", 0.65, 1.2, 0.936864858190, -4.482628004, -15.426240475, 1.0424167920},
 };
 
-SurfaceScene scene_of(const Vesicle &vesicle_known, const int degree, const int refinements,
+VesicleScene scene_of(const Vesicle &vesicle_known, const int degree, const int refinements,
                       const std::string &symmetry = "none")
 {
-  SurfaceScene scene = vesicle(vesicle_known.start, vesicle_known.reduced_volume, degree, refinements, symmetry);
+  VesicleScene scene = vesicle(vesicle_known.start, vesicle_known.reduced_volume, degree, refinements, symmetry);
   effect<HelfrichBendingEffect>(scene).parameters.spontaneous_curvature = vesicle_known.C0;
   return scene;
 }
@@ -98,7 +98,7 @@ TEST(SpontaneousCurvature, UnitsDoNotMatter)
 {
   const Vesicle &exact    = known[0];
   constexpr double length = 5e-6, kappa = 8e-20;
-  SurfaceScene scene            = scene_of(exact, 5, 3, "axial");
+  VesicleScene scene            = scene_of(exact, 5, 3, "axial");
   scene.vesicle.area            = 4. * pi * length * length;
   auto &bending                 = effect<HelfrichBendingEffect>(scene).parameters;
   bending.bending_rigidity      = kappa;
@@ -123,7 +123,7 @@ TEST(SpontaneousCurvature, StressFreeSphere)
   };
   for (const Mesh mesh : {Mesh{"axial", 3, 1e-9}, Mesh{"none", 2, 1e-6}})
   {
-    SurfaceScene scene        = scene_with({"helfrich bending", "area constraint"});
+    VesicleScene scene        = scene_with({"helfrich bending", "area constraint"});
     scene.vesicle.start_shape = "ellipsoid";
     scene.vesicle.semi_axes   = {1., 1., 1.2};
     scene.mesh.degree         = 3;
@@ -146,7 +146,7 @@ TEST(SpontaneousCurvature, PressureOfASphere)
   const double R = std::cbrt(v);
   for (const double C0 : {1.5, -1.})
   {
-    SurfaceScene scene           = scene_with({"helfrich bending", "surface tension", "volume constraint"});
+    VesicleScene scene           = scene_with({"helfrich bending", "surface tension", "volume constraint"});
     scene.vesicle.start_shape    = "ellipsoid";
     scene.vesicle.semi_axes      = {1., 1., 1.2};
     scene.vesicle.reduced_volume = v;

@@ -12,7 +12,7 @@ namespace
 using namespace pellicle;
 using namespace pellicle::test;
 
-SurfaceScene with_stability(SurfaceScene scene, const int eigenvalues)
+VesicleScene with_stability(VesicleScene scene, const int eigenvalues)
 {
   scene.analyses              = {"stability"};
   scene.stability.eigenvalues = eigenvalues;
@@ -26,9 +26,9 @@ struct Mesh
 };
 
 /** A sphere of radius R = 1, kappa = 1, that tension sigma and pressure 2 sigma/R hold in equilibrium. */
-SurfaceScene sphere(const double sigma, const Mesh &mesh, const int eigenvalues)
+VesicleScene sphere(const double sigma, const Mesh &mesh, const int eigenvalues)
 {
-  SurfaceScene scene = with_stability(scene_with({"helfrich bending", "surface tension", "pressure"}), eigenvalues);
+  VesicleScene scene = with_stability(scene_with({"helfrich bending", "surface tension", "pressure"}), eigenvalues);
   scene.vesicle.start_shape                              = "ellipsoid";
   scene.vesicle.semi_axes                                = {1., 1., 1.};
   scene.mesh.degree                                      = mesh.degree;
@@ -102,7 +102,7 @@ TEST(StabilityOfSpheres, OnAMeridian)
 TEST(StabilityOfSpheres, Units)
 {
   const double R = 2., kappa = 20., sigma = 5.; // sigma R^2/kappa = 1
-  SurfaceScene scene                                               = sphere(sigma, {4, 3, "axial"}, 3);
+  VesicleScene scene                                               = sphere(sigma, {4, 3, "axial"}, 3);
   scene.vesicle.area                                               = 4. * pi * R * R;
   effect<HelfrichBendingEffect>(scene).parameters.bending_rigidity = kappa;
   effect<PressureEffect>(scene).parameters.pressure                = 2. * sigma / R;
@@ -247,7 +247,7 @@ TEST(StabilityModes, OrthonormalAndAllowedByTheConstraints)
 
 TEST(StabilityModes, FollowedDownhill)
 {
-  SurfaceScene scene = with_stability(vesicle("oblate", 0.9, 3, 2), 1);
+  VesicleScene scene = with_stability(vesicle("oblate", 0.9, 3, 2), 1);
   const Solved saddle(scene);
   ASSERT_TRUE(saddle.result.converged);
   EXPECT_EQ(saddle.model.stability()->negative_eigenvalues, 2);

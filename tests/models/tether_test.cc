@@ -34,10 +34,10 @@ constexpr double f0 = 2. * pi, ring = 20., tip = 0.2, sigma = 0.5;
 constexpr double flat_area = pi * (ring * ring - tip * tip);
 
 /** The same pull in units of one's own: length_unit and kappa are how large they are in them. */
-SurfaceScene pulled_to(const double length, const int degree, const int refinements,
+VesicleScene pulled_to(const double length, const int degree, const int refinements,
                        const std::string &symmetry = "axial", const double length_unit = 1., const double kappa = 1.)
 {
-  SurfaceScene scene                                               = scene_with({"helfrich bending", "tether"});
+  VesicleScene scene                                               = scene_with({"helfrich bending", "tether"});
   scene.mesh.degree                                                = degree;
   scene.mesh.refinements                                           = refinements;
   scene.mesh.symmetry                                              = symmetry;
@@ -51,7 +51,7 @@ SurfaceScene pulled_to(const double length, const int degree, const int refineme
 }
 
 /** Pulls on in steps of at most 1.5; whether it got there. */
-bool pull(Solved &solved, const double from, const double to, const std::function<SurfaceScene(double length)> &scene)
+bool pull(Solved &solved, const double from, const double to, const std::function<VesicleScene(double length)> &scene)
 {
   const int steps = static_cast<int>(std::ceil((to - from) / 1.5));
   return walk(solved, steps, [&](const double t) { return scene(from + t * (to - from)); }) == 1.;
@@ -149,7 +149,7 @@ TEST(Tether, InSpace)
 TEST(Tether, Refusals)
 {
   EXPECT_USER_ERROR(scene_with({"tether"}).check(), "tether", "helfrich bending", "Effects");
-  SurfaceScene scene                                = pulled_to(1., 3, 2);
+  VesicleScene scene                                = pulled_to(1., 3, 2);
   effect<TetherEffect>(scene).parameters.tip_radius = 25.;
   EXPECT_USER_ERROR(scene.check(), "Tether/Tip radius = 25", "Tether/Ring radius = 20");
 }

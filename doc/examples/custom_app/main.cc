@@ -4,6 +4,7 @@
 #include "confinement.h"
 
 #include <pellicle/models/surface_model.h>
+#include <pellicle/models/vesicle_scene.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -15,8 +16,8 @@ namespace
 /** Integral of z^2 dA over the equilibrium shape in a confinement of the given stiffness k. */
 double spread(const pellicle::EffectLibrary &library, const double stiffness)
 {
-  pellicle::SurfaceScene scene =
-      pellicle::make_surface_scene(library, {"helfrich bending", "area constraint", "confinement"}, {});
+  pellicle::VesicleScene scene =
+      pellicle::make_vesicle_scene(library, {"helfrich bending", "area constraint", "confinement"}, {});
   scene.mesh.degree            = 2;
   scene.mesh.refinements       = 1;
   scene.vesicle.start_shape    = "oblate";

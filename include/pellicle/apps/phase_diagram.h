@@ -15,7 +15,6 @@ namespace pellicle
  *
  * Returns the model of the last branch, at its last state.
  */
-std::unique_ptr<SurfaceModel> run_phase_diagram(SurfaceSceneFile &file, const SurfaceScene &scene,
-                                                const Communicator &communicator, Timing &timing, Observer &observer,
-                                                const SolutionSink &sink, RunResult &result);
+std::unique_ptr<SurfaceModel> run_phase_diagram(const RunContext &context, const SurfaceScene &scene,
+                                                RunResult &result);
 } // namespace pellicle

@@ -1,20 +1,45 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <pellicle/potentials/potential_library.h>
+#include <pellicle/models/surface_scene.h>
 
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace pellicle
 {
-/** What makes an application of the surface model: its name, the effects it offers and those it lists by default. */
+class RunContext;
+struct RunResult;
+
+/** An analysis that takes the place of solving the scene once or in load steps. */
+struct WholeRunAnalysis
+{
+  std::string name;
+  /** Returns the model at the last state. */
+  std::function<std::unique_ptr<SurfaceModel>(const RunContext &context, const SurfaceScene &scene, RunResult &result)>
+      run;
+};
+
+/** What makes an application of the surface model: its name, the effects it offers and those it lists by default, its
+ * scenes. */
 struct SurfaceApplication
 {
   std::string name;
   std::string description; ///< one or two sentences for --help
   EffectLibrary library;
   std::vector<std::string> default_effects;
+  /** An empty scene of the application's own kind. */
+  std::function<std::unique_ptr<SurfaceScene>()> empty_scene;
+  /** Analyses of its own, beside "stability". */
+  std::vector<WholeRunAnalysis> analyses = {};
+
+  /** A scene with effects at their defaults. Throws UserError for an unknown effect. */
+  std::unique_ptr<SurfaceScene> scene(const std::vector<std::string> &effects,
+                                      const std::vector<std::string> &listed_analyses) const;
+  /** All that can be listed. */
+  std::vector<std::string> analysis_names() const;
 };
 
 /**

@@ -21,7 +21,7 @@ public:
   SurfaceSceneFile(const SurfaceApplication &application, const CommandLine &command_line);
 
   /** The parameter structs as the scene stands now, checked. */
-  SurfaceScene read();
+  std::unique_ptr<SurfaceScene> read();
   /** Sets a parameter to a number. */
   void set(const std::string &path, double value, const std::string &origin);
   /** Sets a parameter to a text. */
@@ -47,13 +47,24 @@ std::string commented_scene_of(const SurfaceApplication &application);
  * number of this scene, or if From or To is not a value that it can have: a mistake there must not come to light after
  * hours.
  */
-SurfaceScene scene_at_start_of_load(SurfaceSceneFile &file, const LoadParameters &load);
+std::unique_ptr<SurfaceScene> scene_at_start_of_load(SurfaceSceneFile &file, const LoadParameters &load);
 
 /** What summary.json says of scene and model whatever the analysis: effects, mesh, unknowns, stability. */
 void describe(const SurfaceScene &scene, const SurfaceModel &model, RunResult &result);
 
 /** Called after every equilibrium: step, value of the stepped parameter (the step's number without load stepping). */
 using SolutionSink = std::function<void(const SurfaceModel &model, int step, double time)>;
+
+/** What a run works with. */
+class RunContext
+{
+public:
+  SurfaceSceneFile &file;
+  const Communicator &communicator;
+  Timing &timing;
+  Observer &observer;
+  const SolutionSink &sink;
+};
 
 /**
  * Solves a scene, load steps included. Returns everything that summary.json says but the seconds of output; never

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <pellicle/assembly/nodal_conditions.h>
-#include <pellicle/discretization/start_shapes.h>
+#include <pellicle/discretization/surface_discretization.h>
 #include <pellicle/potentials/effect.h>
-
-#include <vector>
 
 namespace pellicle
 {
@@ -15,11 +13,4 @@ namespace pellicle
  * body along z.
  */
 NodalConditions edge_conditions(const SurfaceDiscretization &discretization, const SceneTargets &targets);
-
-/**
- * Outward unit conormals of the start shape at the quadrature points of an edge loop. All rims are circles about the z
- * axis, so they are exact: cos b e_r + sin b e_z.
- */
-std::vector<Vector3<double>> start_conormals(const SurfaceDiscretization &discretization, const EdgeLoop &loop,
-                                             const StartShape &shape);
 } // namespace pellicle

@@ -41,6 +41,9 @@ public:
    * call is restored. */
   StepResult solve(int step, Observer &observer);
 
+  /** The scene with another value of a parameter. May throw UserError. */
+  using SceneAt = std::function<std::unique_ptr<SurfaceScene>(double)>;
+
   /** A state of a branch that was followed. */
   struct PointOnBranch
   {
@@ -52,13 +55,11 @@ public:
    * Follows the branch of equilibria through the present one, along a parameter whose value is now `value`, as the
    * scene's section Continuation says.
    *
-   * @param scene_at  the scene with another value of the parameter; may throw UserError.
    * @param on_point  called at every point of the branch, with the model at that state.
    * Throws UserError if no listed effect knows the derivative with respect to the parameter.
    */
-  ContinuationResult follow_branch(const BranchParameters &branch, double value,
-                                   const std::function<SurfaceScene(double)> &scene_at, Observer &observer,
-                                   const std::function<void(const PointOnBranch &)> &on_point);
+  ContinuationResult follow_branch(const BranchParameters &branch, double value, const SceneAt &scene_at,
+                                   Observer &observer, const std::function<void(const PointOnBranch &)> &on_point);
 
   /** The potential that is stationary at an equilibrium: energies and penalties; and its derivative with respect to a
    * parameter of the scene, at the equilibrium (none if no listed effect knows it). Internal units, parameters in the
@@ -88,6 +89,8 @@ public:
   /** Unknowns of the linear system that was solved last: name of field or "multipliers" -> number; "total". */
   const std::vector<std::pair<std::string, std::size_t>> &unknown_counts() const { return last_unknown_counts; }
 
+  /** Nodal positions of mesh(), internal units. */
+  NodalVectors positions() const { return on_mesh(problem->state().fields[0]); }
   const SurfaceProblem &equilibrium() const { return *problem; }
   const SurfaceDiscretization &mesh() const { return discretization; }
   const Scales &scales() const { return unit; }
@@ -101,7 +104,7 @@ private:
     values.resize(3 * discretization.n_nodes);
     return values;
   }
-  void add_node_noise(const VesicleParameters &vesicle);
+  void add_node_noise(const NodeNoise &noise);
   void check_constraints_are_independent();
   void take_from_mesh(const SurfaceScene &scene);
   PotentialSet potentials_of(const SurfaceScene &scene);
@@ -130,6 +133,7 @@ private:
   SceneTargets targets;                                          ///< what the effects were given, internal units
   std::shared_ptr<const std::vector<ReferenceMetric>> reference; ///< of elastic skins
   std::map<std::string, std::shared_ptr<const std::vector<Vector3<double>>>> conormals; ///< of rims, by their names
+  SurfaceMeasures own_measures;                                                         ///< of the application
   StabilityParameters stability_parameters;
   bool analyses_stability = false;
   std::optional<Stability> last_stability;

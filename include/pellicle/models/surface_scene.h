@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <pellicle/base/constants.h>
+#include <pellicle/assembly/nodal_conditions.h>
 #include <pellicle/base/parameters.h>
-#include <pellicle/discretization/start_shapes.h>
+#include <pellicle/discretization/surface_discretization.h>
 #include <pellicle/models/stability.h>
 #include <pellicle/potentials/potential_library.h>
 #include <pellicle/solvers/continuation.h>
 #include <pellicle/solvers/load_stepping.h>
 #include <pellicle/solvers/newton.h>
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,8 +19,7 @@
 
 namespace pellicle
 {
-/** Name of the line around the region of the effect "lipid domain". */
-constexpr const char *domain_boundary = "domain boundary";
+class SurfaceModel;
 
 /** Section "Mesh". */
 struct MeshParameters
@@ -27,26 +28,6 @@ struct MeshParameters
   int refinements      = 2;
   std::string symmetry = "none";
   std::string file;
-
-  void bind(ParameterSection &section);
-};
-
-/** Section "Vesicle": start shape and targets of the constraints, in the user's units. */
-struct VesicleParameters
-{
-  double area             = 4. * pi;
-  double reduced_volume   = 0.9;
-  std::string start_shape = "prolate";
-  std::vector<double> semi_axes{1., 1., 1.2};
-  double torus_ratio              = 1.4142135623730951;
-  double cap_angle                = 90.;
-  double tube_ratio               = 1.;
-  std::string rim                 = "free";
-  std::string reference_shape     = "start shape";
-  double reference_area           = 4. * pi;
-  double reference_reduced_volume = 0.95;
-  double node_noise               = 0.;
-  int random_seed                 = 1;
 
   void bind(ParameterSection &section);
 };
@@ -64,21 +45,6 @@ struct BranchParameters
   void bind(ParameterSection &section);
 };
 
-/** Section "Phase diagram", for the analysis of that name. */
-struct PhaseDiagramParameters
-{
-  std::vector<double> reduced_volumes{0.52, 0.54, 0.56, 0.58, 0.6,  0.62, 0.64, 0.66,
-                                      0.68, 0.7,  0.75, 0.8,  0.85, 0.9,  0.95};
-  std::string branches = "prolate, oblate, stomatocyte";
-  int fold_points      = 20;
-
-  void bind(ParameterSection &section);
-  /** Throws UserError. */
-  void check() const;
-  /** The start shapes in `branches`. */
-  std::vector<std::string> branch_names() const;
-};
-
 /** Section "Output". */
 struct OutputParameters
 {
@@ -88,26 +54,40 @@ struct OutputParameters
   void bind(ParameterSection &section);
 };
 
-/** All parameters of a scene with one surface: the plain structs that a library user fills and that a scene file is
- * read into. */
-struct SurfaceScene
+/** Random displacements of the nodes of a start shape, in fractions of their spacing. */
+struct NodeNoise
 {
+  double fraction = 0.;
+  int seed        = 1;
+};
+
+/** What an application measures on a solved model beside what every surface has. Internal units. */
+using SurfaceMeasures = std::function<std::vector<NamedQuantity>(const SurfaceModel &)>;
+
+/**
+ * A scene with one surface: the parameters that all applications share, the listed effects, and what a SurfaceModel
+ * asks of it. Applications derive their own (VesicleScene, DropletScene): plain structs that a library user fills and
+ * that a scene file is read into.
+ */
+class SurfaceScene
+{
+public:
   MeshParameters mesh;
-  VesicleParameters vesicle;
   LoadParameters load;
   NewtonParameters newton;
   StabilityParameters stability;
   BranchParameters branch;
-  PhaseDiagramParameters phase_diagram;
   OutputParameters output;
   std::vector<std::unique_ptr<Effect>> effects;
   std::vector<std::string> analyses;
+
+  virtual ~SurfaceScene() = default;
 
   /** Sections bound to the members; they must not outlive this object. */
   std::vector<ParameterSection> sections();
 
   /** Cross-checks between parameters. Throws UserError. */
-  void check() const;
+  virtual void check() const;
 
   bool has_effect(const std::string &name) const;
   /** The listed effect of a type; null if it is not listed. */
@@ -120,16 +100,31 @@ struct SurfaceScene
     return nullptr;
   }
   bool has_analysis(const std::string &name) const;
-  Scales scales() const;        ///< length sqrt(A/4 pi), energy typical of the effects
-  double target_volume() const; ///< v (4 pi/3) (A/4 pi)^(3/2), the user's units
 
-  StartShape start_shape() const;
-  /** The reference shape of elastic skins, on the same mesh; none if it is the start shape. */
-  std::optional<StartShape> reference_shape() const;
-  /** Whether the moment jumps across the line around a domain, so that the mesh must be split there. */
-  bool splits_domain() const;
+  /** The scene's own length, and an energy typical of the effects. */
+  Scales scales() const;
+  /** Mesh and start shape, in the user's units. Throws UserError for one that cannot be made. */
+  virtual SurfaceDiscretization start_mesh() const = 0;
+  /** Whether the place of the origin means something: a body or a field of force stands there. Otherwise the model
+   * moves the centroid there. */
+  virtual bool has_origin() const { return false; }
+  virtual NodeNoise node_noise() const { return {}; }
+  /** Nodal positions, in the user's units, at which elastic skins are free of stress; none: the start shape. */
+  virtual std::optional<NodalVectors> reference_positions() const { return std::nullopt; }
+  /** Name of the line along which the solved mesh is split; empty: none. */
+  virtual std::string split_line() const { return ""; }
+  /** Unit conormals of the start shape at the quadrature points of rims, by name, where clamps need them. */
+  virtual std::map<std::string, std::vector<Vector3<double>>>
+  rim_conormals(const SurfaceDiscretization & /*start*/) const
+  {
+    return {};
+  }
   /** Edge loops of the surface and what holds them. */
-  std::vector<SceneEdge> edges() const;
+  virtual std::vector<SceneEdge> edges() const = 0;
+  /** What holds nodes, or keeps them on bodies. */
+  virtual NodalConditions conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const;
+  virtual SurfaceMeasures measures(const Scales & /*scales*/) const { return {}; }
+
   /** What effects take from the scene and from each other; what only a mesh knows is left out. */
   SceneTargets targets(const Scales &scales) const;
   /** Energies and constraints in internal units. */
@@ -137,13 +132,33 @@ struct SurfaceScene
   /** Derivatives with respect to all parameters in which the listed effects allow continuation. */
   std::vector<ParameterDerivative> derivatives(const Scales &scales, const SceneTargets &targets) const;
   PotentialSet potentials(const Scales &scales) const { return potentials(scales, targets(scales)); }
+
+protected:
+  SurfaceScene()                           = default;
+  SurfaceScene(SurfaceScene &&)            = default;
+  SurfaceScene &operator=(SurfaceScene &&) = default;
+
+  /** The application's own sections, which come after "Mesh". */
+  virtual void add_own_sections(std::vector<ParameterSection> &all) = 0;
+  /** The application's own sections that come after "Continuation". */
+  virtual void add_further_sections(std::vector<ParameterSection> & /*all*/) {}
+  virtual double own_length() const = 0;
+  /** Targets that the application's own sections set. */
+  virtual void set_targets(const Scales &scales, SceneTargets &targets) const = 0;
+  /** Whether the parameter shapes mesh or scale, so that it cannot change during a run. */
+  virtual bool is_fixed(const std::string &parameter) const;
 };
 
-/** A scene with the named effects of a library, parameters at their defaults. Throws UserError for an unknown effect.
- */
-SurfaceScene make_surface_scene(const EffectLibrary &library, const std::vector<std::string> &effects,
-                                const std::vector<std::string> &analyses);
+/** Binds parameters as a further section. */
+template <typename Parameters>
+void add_section(std::vector<ParameterSection> &all, const std::string &name, Parameters &parameters)
+{
+  all.emplace_back(name);
+  parameters.bind(all.back());
+}
 
-/** Names of the analyses that can be listed. */
-const std::vector<std::string> &analysis_names();
+/** Fills the lists of a scene; effects with their parameters at the defaults. Throws UserError for an unknown effect.
+ */
+void list_effects(SurfaceScene &scene, const EffectLibrary &library, const std::vector<std::string> &effects,
+                  const std::vector<std::string> &analyses);
 } // namespace pellicle
