@@ -62,14 +62,15 @@ Assembler::Assembler(const SurfaceDiscretization &discretization, const FieldLay
     , work(1 + discretization.edges.size())
 {
   for (const std::size_t k : selection.energies)
-    place(*set.energies[k], {k, Term::all_regions, layout.offsets(*set.energies[k]), {}}, &Work::energies);
+    place(*set.energies[k], {k, Term::all_regions, 0, layout.offsets(*set.energies[k]), {}}, &Work::energies);
   for (const std::size_t k : selection.constraints)
   {
     const Constraint &constraint = set.constraints[k];
-    place(*constraint.measure,
-          {k, Term::all_regions, layout.offsets(*constraint.measure),
-           constraint.self_term ? layout.offsets(*constraint.self_term) : std::vector<unsigned int>{}},
-          &Work::constraints);
+    for (std::size_t p = 0; p < constraint.n_parts(); ++p)
+      place(constraint.part(p),
+            {k, Term::all_regions, p, layout.offsets(constraint.part(p)),
+             constraint.self_term ? layout.offsets(*constraint.self_term) : std::vector<unsigned int>{}},
+            &Work::constraints);
   }
   for (std::size_t s = 0; s < work.size(); ++s)
     if (!work[s].energies.empty() || !work[s].constraints.empty())
@@ -174,12 +175,13 @@ void Assembler::evaluate(const PotentialSet &set, const FieldValues &values, con
       continue;
     ++counts.potential_calls;
     const Constraint &constraint = set.constraints[term.index];
+    const Potential &measure     = constraint.part(term.part);
     const double lambda          = multipliers[term.index];
     single.reset(tables.n_points, layout.n_inputs(), at_most_gradient);
-    constraint.measure->add(points, term.offsets.data(), 1., at_most_gradient, single);
+    measure.add(points, term.offsets.data(), 1., at_most_gradient, single);
     const double measured = integral(single);
     values_of_terms.constraints[term.index] += measured;
-    if (constraint.self_term)
+    if (constraint.self_term && term.part == 0)
     {
       // Minus one, so that a multiplier of zero still yields the compliance.
       constraint.self_term->add(points, term.self_offsets.data(), -1., Order::value, single);
@@ -192,8 +194,8 @@ void Assembler::evaluate(const PotentialSet &set, const FieldValues &values, con
     if (order >= Order::gradient)
     {
       here.contraction->gradient(single, constraint_gradients[term.index]);
-      constraint.measure->add(points, term.offsets.data(), lambda, order, total);
-      if (constraint.self_term)
+      measure.add(points, term.offsets.data(), lambda, order, total);
+      if (constraint.self_term && term.part == 0)
         constraint.self_term->add(points, term.self_offsets.data(), -0.5 * lambda * lambda, order, total);
     }
   }

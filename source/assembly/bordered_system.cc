@@ -196,8 +196,9 @@ void BorderedSystem::project(const Cell &cell, const Element &physics, const Ele
     fill_rows(*mesh, true, 1);
 }
 
-// Second derivative of the retraction of unit vectors, v -> (v + d)/|v + d|: -(g . v) |d|^2/2 with d orthogonal to v.
-void BorderedSystem::curve(const Cell &cell, const Element &physics)
+// Second derivative of the retraction of unit vectors, v -> (v + d)/|v + d|: -(g . v) |d|^2/2 with d orthogonal to v; of
+// nodes on bodies, x -> closest point of x + d: -(g . n) (d . hessian d)/2.
+void BorderedSystem::curve(const Cell &cell, const Element &physics, const Element *mesh)
 {
   const std::size_t m = cell_list.size();
   std::size_t row     = 0;
@@ -213,6 +214,24 @@ void BorderedSystem::curve(const Cell &cell, const Element &physics)
         for (unsigned int a = 0; a < n_rows; ++a)
           projected[(row + a) * m + row + a] -= along;
       }
+      if (n_rows > 0 && !unknowns.charts[f].on_body.empty() && unknowns.charts[f].on_body[cell.nodes[i]])
+      {
+        const GapSample &gap         = unknowns.charts[f].on_body[cell.nodes[i]]->here;
+        const NodalChart::Node &node = unknowns.charts[f].nodes[cell.nodes[i]];
+        const auto column            = [&](const unsigned int a)
+        { return Vector3<double>(node.columns[3 * a], node.columns[3 * a + 1], node.columns[3 * a + 2]); };
+        for (unsigned int a = 0; a < n_rows; ++a)
+        {
+          if (node.mesh_equation[a] && mesh == nullptr)
+            continue;
+          const std::vector<double> &gradient = node.mesh_equation[a] ? mesh->gradient : physics.gradient;
+          double along                        = 0.;
+          for (unsigned int c = 0; c < 3; ++c)
+            along += gap.normal[c] * gradient[(3 * f + c) * cell.n_nodes + i];
+          for (unsigned int b = 0; b < n_rows; ++b)
+            projected[(row + a) * m + row + b] -= along * dot(column(a), gap.hessian * column(b));
+        }
+      }
       row += n_rows;
     }
 }
@@ -224,7 +243,7 @@ void BorderedSystem::add_cell(const Cell &cell, const Element &physics,
   cell_unknowns(cell, cell_list);
   const std::size_t m = cell_list.size();
   project(cell, physics, mesh);
-  curve(cell, physics);
+  curve(cell, physics, mesh);
   const int *positions = scatter.data() + scatter_start[cell.own];
   for (std::size_t k = 0; k < m * m; ++k)
     if (positions[k] >= 0)
@@ -358,6 +377,13 @@ void BorderedSystem::prolongate(const std::vector<double> &u, const double facto
       const double step = factor * u[unknowns.first_of(field, I) + a];
       for (unsigned int c = 0; c < 3; ++c)
         values[3 * I + c] += step * unknowns.charts[field].nodes[I].columns[3 * a + c];
+    }
+  for (std::size_t I = 0; I < unknowns.charts[field].on_body.size(); ++I)
+    if (const auto &on = unknowns.charts[field].on_body[I])
+    {
+      const Vector3<double> foot = on->body->gap({values[3 * I], values[3 * I + 1], values[3 * I + 2]}).foot;
+      for (unsigned int c = 0; c < 3; ++c)
+        values[3 * I + c] = foot[c];
     }
   if (unknowns.charts[field].unit_vectors.empty())
     return;

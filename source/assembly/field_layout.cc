@@ -12,7 +12,8 @@ FieldLayout::FieldLayout(const PotentialSet &set)
     declare(*energy);
   for (const Constraint &constraint : set.constraints)
   {
-    declare(*constraint.measure);
+    for (std::size_t p = 0; p < constraint.n_parts(); ++p)
+      declare(constraint.part(p));
     if (constraint.self_term)
       declare(*constraint.self_term);
   }

@@ -57,7 +57,13 @@ bool is_reparametrisation_invariant(const PotentialSet &set)
   return std::all_of(set.energies.begin(), set.energies.end(),
                      [](const auto &energy) { return energy->reparametrisation_invariant(); }) &&
          std::all_of(set.constraints.begin(), set.constraints.end(),
-                     [](const auto &c) { return c.measure->reparametrisation_invariant(); });
+                     [](const Constraint &c)
+                     {
+                       bool all = true;
+                       for (std::size_t p = 0; p < c.n_parts(); ++p)
+                         all = all && c.part(p).reparametrisation_invariant();
+                       return all;
+                     });
 }
 
 std::vector<ReferenceMetric> reference_metric(const SurfaceDiscretization &discretization,
@@ -176,8 +182,20 @@ std::vector<NodalChart> SurfaceProblem::charts_here() const
                      : chart == PositionChart::graph  ? graph_chart(surface, current.fields[0], normals)
                                                       : ale_chart(surface, current.fields[0], normals));
     apply_conditions(conditions, field.name, charts.back());
+    keep_nodes_on_bodies(charts.back());
   }
   return charts;
+}
+
+void SurfaceProblem::keep_nodes_on_bodies(NodalChart &positions) const
+{
+  const auto of_position = conditions.find("position");
+  if (of_position == conditions.end() || of_position->second.body.empty())
+    return;
+  const TangentialMotion tangential = chart == PositionChart::material ? TangentialMotion::physical
+                                      : chart == PositionChart::ale    ? TangentialMotion::mesh
+                                                                       : TangentialMotion::none;
+  keep_on_bodies(of_position->second, surface, current.fields[0], tangential, positions);
 }
 
 // Weights and rigid motions of the present shape.
@@ -233,6 +251,12 @@ void SurfaceProblem::linearize()
     if (field_layout.fields()[f].space == FieldSpace::edge_conormals)
       system->set_chart(f, chart_of_internal_field(surface, field_layout.fields()[f], current.fields[0],
                                                    current.fields[f], conditions));
+  if (!system->numbering().charts[0].on_body.empty())
+  {
+    NodalChart positions = system->numbering().charts[0];
+    keep_nodes_on_bodies(positions);
+    system->set_chart(0, std::move(positions));
+  }
   system->begin();
   TermValues mesh_values{{0.}, {}, {}};
   Element mesh_element;
@@ -398,8 +422,15 @@ TermValues SurfaceProblem::evaluate(const SurfaceState &state) const
 double SurfaceProblem::try_step(const std::vector<double> &direction, const double length)
 {
   trial = current;
-  for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
-    system->prolongate(direction, length, f, trial.fields[f]);
+  try
+  {
+    for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
+      system->prolongate(direction, length, f, trial.fields[f]);
+  }
+  catch (const SolveError &)
+  {
+    return std::numeric_limits<double>::infinity(); // a step too far from a body
+  }
   trial.multipliers = full_step_multipliers(direction);
   for (std::size_t k = 0; k < trial.rigid_reactions.size(); ++k)
     trial.rigid_reactions[k] += direction[system->numbering().n_nodal + trial.multipliers.size() + k];

@@ -78,6 +78,7 @@ private:
 
     std::size_t index   = 0;
     unsigned int region = all_regions;
+    std::size_t part    = 0;                         ///< of a constraint
     std::vector<unsigned int> offsets, self_offsets; ///< of the potential; of a constraint's self term
   };
   /** What acts on one set of cells. */

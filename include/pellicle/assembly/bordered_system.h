@@ -94,14 +94,14 @@ public:
 
   /** Multiplies nodal vectors of field f by Z^T. */
   void restrict_vector(std::size_t field, const NodalVectors &vector, std::vector<double> &unknowns) const;
-  /** x_f += factor Z u; unit vectors are normalised afterwards. */
+  /** x_f += factor Z u; unit vectors are normalised afterwards, nodes on bodies go to the closest point. */
   void prolongate(const std::vector<double> &u, double factor, std::size_t field, NodalVectors &values) const;
 
 private:
   void make_pattern(const std::vector<Cell> &cells);
   void write_border(std::size_t row, const std::vector<double> &values);
   void project(const Cell &cell, const Element &physics, const Element *mesh);
-  void curve(const Cell &cell, const Element &physics);
+  void curve(const Cell &cell, const Element &physics, const Element *mesh);
   void cell_unknowns(const Cell &cell, std::vector<int> &list) const;
 
   const Communicator &communicator;

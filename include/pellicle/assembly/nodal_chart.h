@@ -2,8 +2,11 @@
 #pragma once
 
 #include <pellicle/discretization/surface_discretization.h>
+#include <pellicle/kinematics/gap.h>
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace pellicle
@@ -36,10 +39,31 @@ struct NodalChart
    */
   std::vector<std::array<double, 3>> unit_vectors;
 
+  /** A rigid body on whose surface a node stays, with normal and second derivative of the gap there. */
+  struct OnBody
+  {
+    std::shared_ptr<const RigidBody> body;
+    GapSample here;
+  };
+  /**
+   * Of nodes that stay on bodies, whose columns are tangential to them: a step is followed by going to the closest point
+   * of the body, and the matrix gains -(g . n) (column . hessian column), g the gradient with respect to x in R^3: the
+   * second derivative of that retraction. Empty: there are none.
+   */
+  std::vector<std::optional<OnBody>> on_body;
+
   /** Whether a node has unknowns of its own. */
   bool leads(const std::size_t node) const { return leader.empty() || leader[node] == node; }
 
   bool has_mesh_equations() const;
+};
+
+/** What the tangential unknowns of a node are for: there are none, they obey mesh equations, or they are physical. */
+enum class TangentialMotion
+{
+  none,
+  mesh,
+  physical
 };
 
 /** Every admissible direction of a node is an unknown (the moment). */

@@ -4,6 +4,7 @@
 #include <pellicle/assembly/nodal_chart.h>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@ struct FieldConditions
   std::vector<std::optional<AdmissibleDirections>> only;
   /** Nodes that move as another one does: see NodalChart::leader. */
   std::vector<std::size_t> leader;
+  /** Bodies on which nodes stay (null: none): see NodalChart::on_body. */
+  std::vector<std::shared_ptr<const RigidBody>> body;
 };
 
 /** By name of the field; fields that are not named have no conditions. */
@@ -24,6 +27,14 @@ using NodalConditions = std::map<std::string, FieldConditions>;
 
 /** No direction at all. */
 AdmissibleDirections held();
+
+/**
+ * Columns of the nodes that stay on bodies at the present positions, tangential to the bodies. On an edge loop the one
+ * across the line is physical, whatever becomes of the others: it moves the line over the body. May be called again when
+ * the nodes have moved. Throws SolveError where a body has no closest point.
+ */
+void keep_on_bodies(const FieldConditions &conditions, const SurfaceDiscretization &discretization,
+                    const NodalVectors &positions, TangentialMotion tangential, NodalChart &chart);
 
 /** Replaces the columns of nodes that a condition names, and ties followers to their leaders. */
 void apply_conditions(const NodalConditions &conditions, const std::string &field, NodalChart &chart);

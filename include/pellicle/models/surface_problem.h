@@ -122,6 +122,7 @@ private:
   InternalElimination elimination;
 
   std::vector<NodalChart> charts_here() const;
+  void keep_nodes_on_bodies(NodalChart &positions) const;
   void renew_gauge();
 
   PositionChart chart   = PositionChart::graph;

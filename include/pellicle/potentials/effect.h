@@ -25,6 +25,9 @@ namespace pellicle
 struct Constraint
 {
   std::shared_ptr<const Potential> measure; ///< g, integral of a density
+  /** Further parts of g on other sets of cells than the measure's (the volume over a curved base as an integral along
+   * the base's line); no two of them on the same set. */
+  std::vector<std::shared_ptr<const Potential>> further_parts = {};
   /**
    * r of a further term - (lambda^2/2) r of the Lagrangian, where g(fields) stands for g - lambda r: measures of
    * curvature by way of an internal field, which the multiplier shifts (see BilayerCurvature). Usually null. It acts
@@ -38,6 +41,9 @@ struct Constraint
   std::string multiplier;       ///< reported name of the multiplier, e.g. "pressure"
   double multiplier_sign = 1.;  ///< reported multiplier = sign * lambda
   Dimension dimension;          ///< of g; the multiplier's is energy / dimension
+  /** Part 0 is the measure, the others are the further ones. */
+  const Potential &part(const std::size_t p) const { return p == 0 ? *measure : *further_parts[p - 1]; }
+  std::size_t n_parts() const { return 1 + further_parts.size(); }
   /** For a finite stiffness that is physics: the reported name of (stiffness/2) (g - target)^2, which then counts in
    * the total energy. Empty: a penalty. */
   std::string energy;
