@@ -196,8 +196,8 @@ void BorderedSystem::project(const Cell &cell, const Element &physics, const Ele
     fill_rows(*mesh, true, 1);
 }
 
-// Second derivative of the retraction of unit vectors, v -> (v + d)/|v + d|: -(g . v) |d|^2/2 with d orthogonal to v; of
-// nodes on bodies, x -> closest point of x + d: -(g . n) (d . hessian d)/2.
+// Second derivative of the retraction of unit vectors, v -> (v + d)/|v + d|: -(g . v) |d|^2/2 with d orthogonal to v;
+// of nodes on bodies, x -> closest point of x + d: -(g . n) (d . hessian d)/2.
 void BorderedSystem::curve(const Cell &cell, const Element &physics, const Element *mesh)
 {
   const std::size_t m = cell_list.size();

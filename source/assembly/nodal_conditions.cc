@@ -14,7 +14,7 @@ AdmissibleDirections held()
 
 namespace
 {
-using Direction = Vector3<double>;
+using Direction                = Vector3<double>;
 constexpr double smallest_sine = 1e-6; // of a direction with the normal, to count as tangential
 
 /** Appends the part of a direction that is tangential to the body and orthogonal to the columns, if there is any. */
@@ -46,8 +46,18 @@ void keep_on_bodies(const FieldConditions &conditions, const SurfaceDiscretizati
     if (!conditions.body[I])
       continue;
     const GapSample here = conditions.body[I]->gap(vector_at(positions, I));
-    chart.on_body[I]     = NodalChart::OnBody{conditions.body[I], here};
     NodalChart::Node node;
+    if (chart.on_body[I])
+    {
+      const NodalChart::Node &before = chart.nodes[I];
+      for (unsigned int j = 0; j < before.count; ++j)
+        append_tangential({before.columns[3 * j], before.columns[3 * j + 1], before.columns[3 * j + 2]}, here.normal,
+                          before.mesh_equation[j], node);
+      chart.on_body[I]->here = here;
+      chart.nodes[I]         = node;
+      continue;
+    }
+    chart.on_body[I] = NodalChart::OnBody{conditions.body[I], here};
     if (const auto line = lines.find(I); line != lines.end())
       append_tangential(cross(line->second, here.normal), here.normal, false, node);
     const AdmissibleDirections all =

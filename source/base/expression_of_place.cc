@@ -30,13 +30,15 @@ double power(const double base, const double exponent)
   return std::pow(base, exponent);
 }
 
-/** f, f_x, f_y, f_xx, f_xy, f_yy as a list with commas, the constants in full precision. */
+/** f and its derivatives in the order of PlaceSample as a list with commas, the constants in full precision. */
 std::string list_of_derivatives(const std::string &text, const std::array<GiNaC::realsymbol, 2> &variables)
 {
-  const GiNaC::ex f = read_expression(text, variables), f_x = f.diff(variables[0]), f_y = f.diff(variables[1]);
+  const GiNaC::ex f = read_expression(text, variables);
   std::ostringstream list;
-  list << GiNaC::csrc_double << f << "," << f_x << "," << f_y << "," << f_x.diff(variables[0]) << ","
-       << f_x.diff(variables[1]) << "," << f_y.diff(variables[1]);
+  list << GiNaC::csrc_double << f;
+  for (unsigned int order = 1; order <= 3; ++order)
+    for (unsigned int in_y = 0; in_y <= order; ++in_y)
+      list << "," << f.diff(variables[0], order - in_y).diff(variables[1], in_y);
   return list.str();
 }
 } // namespace
@@ -94,8 +96,10 @@ PlaceSample ExpressionOfPlace::at(const double x, const double y) const
   evaluator->y          = unit_of_place * y;
   int n_values          = 0;
   const double *const f = evaluator->parser.Eval(n_values);
-  PELLICLE_ASSERT(n_values == 6, "value and derivatives");
-  const double zeroth = 1. / unit_of_value, first = zeroth * unit_of_place, second = first * unit_of_place;
-  return {zeroth * f[0], first * f[1], first * f[2], second * f[3], second * f[4], second * f[5]};
+  PELLICLE_ASSERT(n_values == 10, "value and derivatives");
+  const double zeroth = 1. / unit_of_value, first = zeroth * unit_of_place, second = first * unit_of_place,
+               third = second * unit_of_place;
+  return {zeroth * f[0], first * f[1], first * f[2], second * f[3], second * f[4],
+          second * f[5], third * f[6], third * f[7], third * f[8],  third * f[9]};
 }
 } // namespace pellicle

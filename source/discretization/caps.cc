@@ -20,9 +20,10 @@ class CapOutline
 {
 public:
   /** `angle` 0: a disc. */
-  CapOutline(const double angle, const double area)
+  CapOutline(const double angle, const double area, const double crowding)
       : rim_angle(angle)
       , radius(angle > 0. ? std::sqrt(area / (4. * pi)) / std::sin(0.5 * angle) : std::sqrt(area / pi))
+      , slope(angle > 0.5 * pi ? -crowding * std::cos(angle) : 0.)
   {
   }
 
@@ -30,14 +31,23 @@ public:
   {
     if (rim_angle == 0.)
       return {{radius * rho, 0.}};
-    const double polar = rim_angle * rho;
+    const double polar = polar_angle(rho);
     // cos(polar) - cos(rim), without cancellation.
     const double height = 2. * std::sin(0.5 * (rim_angle + polar)) * std::sin(0.5 * (rim_angle - polar));
     return {{radius * std::sin(polar), radius * height}};
   }
 
 private:
-  double rim_angle, radius;
+  // d(polar)/d(rho) proportional to sin(rim) + s (rim - polar), s the slope by which cells grow away from the rim.
+  double polar_angle(const double rho) const
+  {
+    if (slope == 0.)
+      return rim_angle * rho;
+    const double at_rim = std::sin(rim_angle), rate = std::log1p(slope * rim_angle / at_rim);
+    return rim_angle - at_rim / slope * std::expm1(rate * (1. - rho));
+  }
+
+  double rim_angle, radius, slope;
 };
 
 SurfaceDiscretization cap_meridian(const CapOutline &outline, const unsigned int degree, const unsigned int refinements)
@@ -74,9 +84,9 @@ SurfaceDiscretization cap_surface(const double angle, const CapOutline &outline,
 }
 
 SurfaceDiscretization make_cap(const double angle, const double area, const unsigned int degree,
-                               const unsigned int refinements, const bool axial)
+                               const unsigned int refinements, const bool axial, const double crowding)
 {
-  const CapOutline outline(angle, area);
+  const CapOutline outline(angle, area, crowding);
   SurfaceDiscretization result =
       axial ? cap_meridian(outline, degree, refinements) : cap_surface(angle, outline, degree, refinements);
   result.mesh_reference = result.positions;
@@ -85,18 +95,18 @@ SurfaceDiscretization make_cap(const double angle, const double area, const unsi
 } // namespace
 
 SurfaceDiscretization cap(const double angle, const double area, const unsigned int degree,
-                          const unsigned int refinements, const bool axial)
+                          const unsigned int refinements, const bool axial, const double crowding)
 {
   if (!(angle > 0. && angle < pi))
     throw UserError("Cap angle = " + exact_text(angle) +
                     ": the polar angle of a cap's rim must lie strictly between 0 and pi (radians; pi/2 is a "
                     "hemisphere). Take the start shape 'disc' for a flat one.");
-  return make_cap(angle, area, degree, refinements, axial);
+  return make_cap(angle, area, degree, refinements, axial, crowding);
 }
 
 SurfaceDiscretization disc(const double area, const unsigned int degree, const unsigned int refinements,
                            const bool axial)
 {
-  return make_cap(0., area, degree, refinements, axial);
+  return make_cap(0., area, degree, refinements, axial, 0.);
 }
 } // namespace pellicle

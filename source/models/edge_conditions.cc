@@ -79,6 +79,8 @@ NodalConditions edge_conditions(const SurfaceDiscretization &discretization, con
         has_conormals(edge, loop);
       continue;
     }
+    if (edge.support == EdgeSupport::on_body)
+      continue; // the application's business
     if (edge.name == "tip")
     {
       set_all(conditions["position"], discretization, loop, along_z());

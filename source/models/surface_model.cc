@@ -74,7 +74,11 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
   PotentialSet potentials = potentials_of(scene);
   if (const std::string line = scene.split_line(); !line.empty())
     split = split_along(discretization, line);
-  const NodalConditions conditions = scene.conditions(solved_mesh(), targets);
+  own_conditions = scene.conditions(solved_mesh(), targets);
+  active_sets    = scene.active_sets(solved_mesh(), targets);
+  for (const auto &active : active_sets)
+    active->add_potentials(potentials);
+  const NodalConditions &conditions = own_conditions;
   // Held rims fix the surface in space; there are no rigid motions left.
   if (const auto position = conditions.find("position"); position != conditions.end() && !position->second.only.empty())
     discretization.rigid_motions.clear();
@@ -163,8 +167,11 @@ void SurfaceModel::check_constraints_are_independent()
 
 void SurfaceModel::update(const SurfaceScene &scene)
 {
-  newton = scene.newton;
-  problem->set_potentials(potentials_of(scene));
+  newton                  = scene.newton;
+  PotentialSet potentials = potentials_of(scene);
+  for (const auto &active : active_sets)
+    active->add_potentials(potentials);
+  problem->set_potentials(std::move(potentials));
 }
 
 PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
@@ -211,7 +218,10 @@ StepResult SurfaceModel::solve(const int step, Observer &observer)
   InUsersUnits energies(observer, unit);
   EquilibriumSearch search(newton, *problem, *solver, timing, mesh_reference, step, energies);
   last_stability.reset();
-  search.run();
+  if (active_sets.empty())
+    search.run();
+  else
+    solve_with_active_sets(search);
   count_unknowns();
   if (search.result().converged && analyses_stability)
     look_at_stability(search);
@@ -221,6 +231,37 @@ StepResult SurfaceModel::solve(const int step, Observer &observer)
     problem->set_state(before);
   }
   return search.result();
+}
+
+void SurfaceModel::apply_active_sets()
+{
+  NodalConditions conditions = own_conditions;
+  for (const auto &active : active_sets)
+    active->add_conditions(conditions);
+  problem->set_conditions(std::move(conditions));
+}
+
+bool SurfaceModel::solve_with_active_sets(EquilibriumSearch &search)
+{
+  constexpr int most_rounds = 60;
+  for (const auto &active : active_sets)
+    active->begin_step(*problem);
+  for (int round = 0; round < most_rounds; ++round)
+  {
+    apply_active_sets();
+    if (!search.run())
+      return false;
+    std::size_t changes = 0;
+    for (const auto &active : active_sets)
+      changes += active->update(*problem);
+    if (changes == 0)
+      return true;
+  }
+  std::string names;
+  for (const auto &active : active_sets)
+    names += (names.empty() ? "" : ", ") + active->name();
+  search.fail("the active set (" + names + ") did not settle in " + std::to_string(most_rounds) + " rounds");
+  return false;
 }
 
 // And, if that is wanted, along the mode of the lowest eigenvalue, then downhill, until there is none below zero. The

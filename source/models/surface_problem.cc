@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/edge_frames.h>
+#include <pellicle/assembly/rim_directions.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/point_walk.h>
 #include <pellicle/models/surface_problem.h>
@@ -133,6 +134,11 @@ void SurfaceProblem::set_potentials(PotentialSet potential_set)
   set_state(current);
 }
 
+void SurfaceProblem::set_conditions(NodalConditions nodal_conditions)
+{
+  conditions = std::move(nodal_conditions);
+}
+
 void SurfaceProblem::set_state(SurfaceState state)
 {
   current = std::move(state);
@@ -168,7 +174,7 @@ void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors
 
 std::vector<NodalChart> SurfaceProblem::charts_here() const
 {
-  const NodalVectors normals = nodal_normals(surface, current.fields[0]);
+  const NodalVectors normals = transversal_directions();
   std::vector<NodalChart> charts;
   for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
   {
@@ -185,6 +191,16 @@ std::vector<NodalChart> SurfaceProblem::charts_here() const
     keep_nodes_on_bodies(charts.back());
   }
   return charts;
+}
+
+// Normals, but near lines that stay on bodies.
+NodalVectors SurfaceProblem::transversal_directions() const
+{
+  NodalVectors normals   = nodal_normals(surface, current.fields[0]);
+  const auto of_position = conditions.find("position");
+  if (of_position == conditions.end() || of_position->second.body.empty())
+    return normals;
+  return directions_towards_bodies(of_position->second, surface, current.fields[0], normals);
 }
 
 void SurfaceProblem::keep_nodes_on_bodies(NodalChart &positions) const
@@ -242,6 +258,27 @@ SurfaceProblem::NodalForces SurfaceProblem::nodal_forces() const
   for (NodalVectors &gradient : forces.constraints)
     communicator.sum(gradient);
   return forces;
+}
+
+NodalVectors SurfaceProblem::nodal_forces(const PotentialSet &part) const
+{
+  NodalVectors sum(3 * surface.n_nodes, 0.);
+  Assembler other(surface, field_layout, part, communicator, Assembler::everything(part, field_layout));
+  other.loop(part, current.fields, current.multipliers, Order::gradient,
+             [&](const Cell &cell, const Element &element, const auto &)
+             {
+               for (unsigned int c = 0; c < 3; ++c)
+                 for (std::size_t i = 0; i < cell.n_nodes; ++i)
+                   sum[3 * cell.nodes[i] + c] += element.gradient[c * cell.n_nodes + i];
+             });
+  communicator.sum(sum);
+  return sum;
+}
+
+std::shared_ptr<const RigidBody> SurfaceProblem::body_of(const std::size_t node) const
+{
+  const auto found = conditions.find("position");
+  return found != conditions.end() && !found->second.body.empty() ? found->second.body[node] : nullptr;
 }
 
 void SurfaceProblem::linearize()

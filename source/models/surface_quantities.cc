@@ -64,6 +64,12 @@ std::vector<NamedQuantity> SurfaceModel::energies() const
   return list;
 }
 
+bool SurfaceModel::has_energy(const std::string &name) const
+{
+  const auto &listed = problem->potentials().energies;
+  return std::any_of(listed.begin(), listed.end(), [&](const auto &energy) { return energy->name() == name; });
+}
+
 double SurfaceModel::potential_energy() const
 {
   const PotentialSet &set  = problem->potentials();

@@ -119,7 +119,7 @@ Scales SurfaceScene::scales() const
 {
   Scales scales;
   scales.length  = own_length();
-  double largest = 0.;
+  double largest = own_energy(scales.length);
   for (const auto &effect : effects)
     if (const std::optional<double> energy = effect->typical_energy(scales.length))
       largest = std::max(largest, *energy);

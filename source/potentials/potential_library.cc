@@ -6,14 +6,17 @@
 #include <pellicle/potentials/constraints/total_area.h>
 #include <pellicle/potentials/edges/gaussian_curvature.h>
 #include <pellicle/potentials/edges/line_tension.h>
+#include <pellicle/potentials/energies/gravity.h>
 #include <pellicle/potentials/energies/helfrich_bending.h>
 #include <pellicle/potentials/energies/incompressible_rubber_skin.h>
+#include <pellicle/potentials/energies/liquid_surface.h>
 #include <pellicle/potentials/energies/neo_hookean_skin.h>
 #include <pellicle/potentials/energies/pressure.h>
 #include <pellicle/potentials/energies/skalak_skin.h>
 #include <pellicle/potentials/energies/surface_tension.h>
 #include <pellicle/potentials/energies/tu_ou_yang_skin.h>
 #include <pellicle/potentials/potential_library.h>
+#include <pellicle/potentials/wetting/wetting.h>
 
 #include <cctype>
 
@@ -38,6 +41,26 @@ EffectLibrary standard_effects()
   library.add(SkalakSkin::name, [] { return std::make_unique<SkinEffect<SkalakSkin>>(); });
   library.add(TuOuYangSkin::name, [] { return std::make_unique<SkinEffect<TuOuYangSkin>>(); });
   return library;
+}
+
+EffectLibrary droplet_effects()
+{
+  EffectLibrary library("effect");
+  library.add("liquid surface", [] { return std::make_unique<LiquidSurfaceEffect>(); });
+  library.add("volume constraint", [] { return std::make_unique<VolumeConstraintEffect>(); });
+  library.add("wetting", [] { return std::make_unique<WettingEffect>(); });
+  library.add("gravity", [] { return std::make_unique<GravityEffect>(); });
+  library.add("line tension", [] { return std::make_unique<LineTensionEffect>(); });
+  library.add("pressure", [] { return std::make_unique<PressureEffect>(); });
+  return library;
+}
+
+const DropletTargets &SceneTargets::drop() const
+{
+  if (!droplet)
+    throw UserError("The effects 'liquid surface', 'wetting' and 'gravity' need a drop: they belong to scenes with a "
+                    "section Droplet.");
+  return *droplet;
 }
 
 const std::string &region_name(const std::size_t region)

@@ -13,7 +13,7 @@ using namespace pellicle;
 
 namespace
 {
-/** Derivatives of first and second order against central differences of value and first derivatives. */
+/** Derivatives against central differences of those of one order less. */
 void check_derivatives(const FunctionOfPlace &f, const double x, const double y)
 {
   SCOPED_TRACE(f.text());
@@ -28,6 +28,10 @@ void check_derivatives(const FunctionOfPlace &f, const double x, const double y)
   expect(at.dxy, north.dx, south.dx);
   expect(at.dxy, east.dy, west.dy);
   expect(at.dyy, north.dy, south.dy);
+  expect(at.dxxx, east.dxx, west.dxx);
+  expect(at.dxxy, north.dxx, south.dxx);
+  expect(at.dxyy, north.dxy, south.dxy);
+  expect(at.dyyy, north.dyy, south.dyy);
 }
 
 TEST(ExpressionOfPlace, ClosedForm)

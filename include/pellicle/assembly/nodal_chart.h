@@ -46,9 +46,9 @@ struct NodalChart
     GapSample here;
   };
   /**
-   * Of nodes that stay on bodies, whose columns are tangential to them: a step is followed by going to the closest point
-   * of the body, and the matrix gains -(g . n) (column . hessian column), g the gradient with respect to x in R^3: the
-   * second derivative of that retraction. Empty: there are none.
+   * Of nodes that stay on bodies, whose columns are tangential to them: a step is followed by going to the closest
+   * point of the body, and the matrix gains -(g . n) (column . hessian column), g the gradient with respect to x in
+   * R^3: the second derivative of that retraction. Empty: there are none.
    */
   std::vector<std::optional<OnBody>> on_body;
 

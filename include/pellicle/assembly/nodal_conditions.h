@@ -30,8 +30,11 @@ AdmissibleDirections held();
 
 /**
  * Columns of the nodes that stay on bodies at the present positions, tangential to the bodies. On an edge loop the one
- * across the line is physical, whatever becomes of the others: it moves the line over the body. May be called again when
- * the nodes have moved. Throws SolveError where a body has no closest point.
+ * across the line is physical, whatever becomes of the others: it moves the line over the body.
+ *
+ * Called again for the same chart when nodes have moved, it carries the columns over to the new tangent planes without
+ * turning them: Newton's method would lose its quadratic end if they followed the line. Throws SolveError where a body
+ * has no closest point.
  */
 void keep_on_bodies(const FieldConditions &conditions, const SurfaceDiscretization &discretization,
                     const NodalVectors &positions, TangentialMotion tangential, NodalChart &chart);

@@ -8,7 +8,7 @@ namespace pellicle
 /** Value and partial derivatives of a function f(x, y) at a place. */
 struct PlaceSample
 {
-  double value = 0., dx = 0., dy = 0., dxx = 0., dxy = 0., dyy = 0.;
+  double value = 0., dx = 0., dy = 0., dxx = 0., dxy = 0., dyy = 0., dxxx = 0., dxxy = 0., dxyy = 0., dyyy = 0.;
 };
 
 /** A function of two coordinates, e.g. the height of a substrate or its wettability. */

@@ -27,8 +27,12 @@ SurfaceDiscretization torus(double ratio, double area, unsigned int degree, unsi
  * Spherical cap of the given area, pole up, rim in z = 0 and named "rim"; `angle` is the polar angle of the rim, in (0,
  * pi). n points away from the sphere's centre. 12 * 4^r cells, 2 * 2^r from pole to rim (see BalancedDisc); as many on
  * a meridian. Throws UserError for an angle outside the range.
+ *
+ * With `crowding` > 0 cells are smaller towards a rim beyond the equator, which is a small hole: their size grows with
+ * the polar distance from the rim as sin(angle) - crowding cos(angle) (distance).
  */
-SurfaceDiscretization cap(double angle, double area, unsigned int degree, unsigned int refinements, bool axial);
+SurfaceDiscretization cap(double angle, double area, unsigned int degree, unsigned int refinements, bool axial,
+                          double crowding = 0.);
 
 /** The limit of a cap for angle 0: flat disc in z = 0, n = e_z. */
 SurfaceDiscretization disc(double area, unsigned int degree, unsigned int refinements, bool axial);

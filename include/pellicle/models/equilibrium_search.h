@@ -45,6 +45,12 @@ public:
 
   /** Of the last solve; iterations and rejected trials of all of them. */
   const StepResult &result() const { return outcome; }
+  /** Makes the search a failure for a reason that lies outside it. */
+  void fail(const std::string &reason)
+  {
+    outcome.converged = false;
+    outcome.failure   = reason;
+  }
   void warn(const std::string &text) { outcome.warnings.push_back(text); }
 
 private:

@@ -91,6 +91,11 @@ public:
 
   /** Nodal positions of mesh(), internal units. */
   NodalVectors positions() const { return on_mesh(problem->state().fields[0]); }
+  const std::vector<std::unique_ptr<ActiveSet>> &inequalities() const { return active_sets; }
+  /** What the effects were given, internal units. */
+  const SceneTargets &scene_targets() const { return targets; }
+  /** Whether an energy of that name is listed. */
+  bool has_energy(const std::string &name) const;
   const SurfaceProblem &equilibrium() const { return *problem; }
   const SurfaceDiscretization &mesh() const { return discretization; }
   const Scales &scales() const { return unit; }
@@ -109,6 +114,9 @@ private:
   void take_from_mesh(const SurfaceScene &scene);
   PotentialSet potentials_of(const SurfaceScene &scene);
   void look_at_stability(EquilibriumSearch &search);
+  /** Equilibria in turn with updates of the active sets, until no status changes. */
+  bool solve_with_active_sets(EquilibriumSearch &search);
+  void apply_active_sets();
   void count_unknowns();
 
   struct PlaceOnBranch
@@ -133,7 +141,9 @@ private:
   SceneTargets targets;                                          ///< what the effects were given, internal units
   std::shared_ptr<const std::vector<ReferenceMetric>> reference; ///< of elastic skins
   std::map<std::string, std::shared_ptr<const std::vector<Vector3<double>>>> conormals; ///< of rims, by their names
-  SurfaceMeasures own_measures;                                                         ///< of the application
+  NodalConditions own_conditions; ///< those of the scene, without active sets
+  std::vector<std::unique_ptr<ActiveSet>> active_sets;
+  SurfaceMeasures own_measures; ///< of the application
   StabilityParameters stability_parameters;
   bool analyses_stability = false;
   std::optional<Stability> last_stability;

@@ -53,6 +53,10 @@ public:
   const FieldLayout &layout() const { return field_layout; }
   const SurfaceDiscretization &discretization() const { return surface; }
 
+  /** Other conditions of the nodes' positions: they take effect with the next use_chart(). */
+  void set_conditions(NodalConditions conditions);
+  const NodalConditions &nodal_conditions() const { return conditions; }
+
   /** Chart at the current positions; `mesh_reference`: positions whose metric the ALE mesh energy prefers. Throws
    * UserError if it would hold back tangential motion that a potential sees. */
   void use_chart(PositionChart chart, const NodalVectors &mesh_reference);
@@ -77,6 +81,10 @@ public:
     std::vector<NodalVectors> constraints;
   };
   NodalForces nodal_forces() const;
+  /** The same of other energies with the same constraints, the total. */
+  NodalVectors nodal_forces(const PotentialSet &part) const;
+  /** The body on which a node stays; null: none. */
+  std::shared_ptr<const RigidBody> body_of(std::size_t node) const;
   /** Gradient of further energies (of fields that the layout has) with respect to the unknowns of the present chart;
    * zero in mesh equations. As long as a direction. */
   std::vector<double> gradient_of(const PotentialSet &further) const;
@@ -122,6 +130,7 @@ private:
   InternalElimination elimination;
 
   std::vector<NodalChart> charts_here() const;
+  NodalVectors transversal_directions() const;
   void keep_nodes_on_bodies(NodalChart &positions) const;
   void renew_gauge();
 

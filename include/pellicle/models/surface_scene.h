@@ -4,6 +4,7 @@
 #include <pellicle/assembly/nodal_conditions.h>
 #include <pellicle/base/parameters.h>
 #include <pellicle/discretization/surface_discretization.h>
+#include <pellicle/models/active_set.h>
 #include <pellicle/models/stability.h>
 #include <pellicle/potentials/potential_library.h>
 #include <pellicle/solvers/continuation.h>
@@ -123,6 +124,12 @@ public:
   virtual std::vector<SceneEdge> edges() const = 0;
   /** What holds nodes, or keeps them on bodies. */
   virtual NodalConditions conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const;
+  /** Inequalities that the listed effects bring. */
+  virtual std::vector<std::unique_ptr<ActiveSet>> active_sets(const SurfaceDiscretization & /*surface*/,
+                                                              const SceneTargets & /*targets*/) const
+  {
+    return {};
+  }
   virtual SurfaceMeasures measures(const Scales & /*scales*/) const { return {}; }
 
   /** What effects take from the scene and from each other; what only a mesh knows is left out. */
@@ -143,6 +150,8 @@ protected:
   /** The application's own sections that come after "Continuation". */
   virtual void add_further_sections(std::vector<ParameterSection> & /*all*/) {}
   virtual double own_length() const = 0;
+  /** An energy typical of the scene beside those of the effects, in the user's units. */
+  virtual double own_energy(double /*length*/) const { return 0.; }
   /** Targets that the application's own sections set. */
   virtual void set_targets(const Scales &scales, SceneTargets &targets) const = 0;
   /** Whether the parameter shapes mesh or scale, so that it cannot change during a run. */

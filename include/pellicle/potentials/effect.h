@@ -5,6 +5,7 @@
 #include <pellicle/base/scales.h>
 #include <pellicle/potentials/potential.h>
 #include <pellicle/potentials/reference_metric.h>
+#include <pellicle/potentials/wetting/droplet_targets.h>
 
 #include <limits>
 #include <memory>
@@ -78,6 +79,7 @@ enum class EdgeSupport
 {
   free,    ///< nothing
   hinged,  ///< its place is held
+  on_body, ///< it stays on a rigid body and moves over it
   clamped, ///< its place and the tangent plane there are held
   inner,   ///< no rim: the surface goes on
   far_side ///< an inner line again, seen from the other side, where the surface is split along it
@@ -107,6 +109,10 @@ struct SceneTargets
   double gaussian_difference   = 0.; ///< kappa_G of the domain minus that of the membrane
   std::vector<SceneEdge> edges = {};
   int euler_characteristic     = 2;
+  /** Of scenes with a drop. */
+  std::optional<DropletTargets> droplet = std::nullopt;
+  /** The same for effects that need one. Throws UserError if the scene has none. */
+  const DropletTargets &drop() const;
   /** Metric of the reference shape at every quadrature point, for elastic skins; null while a scene is only checked. */
   std::shared_ptr<const std::vector<ReferenceMetric>> reference = nullptr;
 };

@@ -11,4 +11,6 @@ using EffectLibrary = Registry<Effect>;
 
 /** The effects that Pellicle ships: the one readable list. */
 EffectLibrary standard_effects();
+/** Those of drops. */
+EffectLibrary droplet_effects();
 } // namespace pellicle

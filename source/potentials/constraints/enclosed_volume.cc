@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/potentials/constraints/enclosed_volume.h>
 #include <pellicle/potentials/density_potential.h>
+#include <pellicle/potentials/wetting/base_integral.h>
+
+#include <cmath>
 
 namespace pellicle
 {
 void VolumeConstraintParameters::bind(ParameterSection &section)
 {
   section.number("Stiffness", stiffness, Range::positive().or_infinite(), {1, -6},
-                 "Stiffness c of the penalty energy (c/2)(V - V0)^2, V0 from Vesicle/Reduced volume. inf: the volume "
+                 "Stiffness c of the penalty energy (c/2)(V - V0)^2, V0 from Vesicle/Reduced volume or Droplet/Volume. "
+                 "inf: the volume "
                  "is held exactly by a "
                  "Lagrange multiplier. Either way the pressure P = c (V0 - V), inside minus outside, is reported.");
 }
@@ -20,14 +24,20 @@ const std::string &VolumeConstraintEffect::name() const
 
 std::string VolumeConstraintEffect::description() const
 {
-  return "Holds the volume at the one of Vesicle/Reduced volume; its multiplier is the pressure P in E - P (V - V0).";
+  return "Holds the volume at the one of Vesicle/Reduced volume or Droplet/Volume; its multiplier is the pressure P in "
+         "E - P (V - V0).";
 }
 
 void VolumeConstraintEffect::contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const
 {
   Constraint volume;
-  volume.measure         = std::make_shared<DensityPotential<EnclosedVolume>>(name(), EnclosedVolume{});
-  volume.target          = targets.volume;
+  volume.measure = std::make_shared<DensityPotential<EnclosedVolume>>(name(), EnclosedVolume{});
+  volume.target  = targets.volume;
+  if (targets.droplet)
+    for (const SceneEdge &edge : targets.edges)
+      if (edge.name == contact_line)
+        if (auto base = make_base_volume(name(), targets.droplet->substrate, contact_line))
+          volume.further_parts.push_back(std::move(base));
   volume.stiffness       = scaled(parameters, scales).stiffness;
   volume.quantity        = "volume";
   volume.multiplier      = "pressure";
@@ -39,6 +49,8 @@ void VolumeConstraintEffect::contribute(const Scales &scales, const SceneTargets
 std::vector<ParameterDerivative> VolumeConstraintEffect::derivatives(const Scales & /*scales*/,
                                                                      const SceneTargets &targets) const
 {
+  if (targets.droplet)
+    return {{"Droplet/Volume", nullptr, "volume", std::pow(targets.droplet->unit_of_place, -3)}};
   return {{"Vesicle/Reduced volume", nullptr, "volume", targets.volume_of_sphere}};
 }
 } // namespace pellicle

@@ -5,11 +5,21 @@
 
 namespace pellicle
 {
+namespace
+{
+bool can_move(const SceneEdge &edge)
+{
+  return edge.support == EdgeSupport::free || edge.support == EdgeSupport::inner ||
+         edge.support == EdgeSupport::on_body;
+}
+} // namespace
+
 void LineTensionParameters::bind(ParameterSection &section)
 {
-  section.number("Line tension", line_tension, Range::any(), dimensions::line_tension,
-                 "Line tension lambda in E = lambda times the length of free rims and of lines around regions. "
-                 "Positive: the line wants to be short.");
+  section.number(
+      "Line tension", line_tension, Range::any(), dimensions::line_tension,
+      "Line tension lambda in E = lambda times the length of free rims, contact lines and lines around regions. "
+      "Positive: the line wants to be short.");
 }
 
 const std::string &LineTensionEffect::name() const
@@ -20,7 +30,7 @@ const std::string &LineTensionEffect::name() const
 
 std::string LineTensionEffect::description() const
 {
-  return "Energy lambda times the length of free rims and of the lines around regions.";
+  return "Energy lambda times the length of free rims, contact lines and the lines around regions.";
 }
 
 void LineTensionEffect::contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const
@@ -28,7 +38,7 @@ void LineTensionEffect::contribute(const Scales &scales, const SceneTargets &tar
   const double lambda = scaled(parameters, scales).line_tension;
   bool found          = false;
   for (const SceneEdge &edge : targets.edges)
-    if (edge.support == EdgeSupport::free || edge.support == EdgeSupport::inner)
+    if (can_move(edge))
     {
       found = true;
       set.energies.push_back(std::make_shared<DensityPotential<LineTension>>(name(), LineTension{lambda},
@@ -37,14 +47,14 @@ void LineTensionEffect::contribute(const Scales &scales, const SceneTargets &tar
   if (!found)
     throw UserError(
         "The effect 'line tension' needs a line that can move: an open start shape with Vesicle/Rim = free, "
-        "or the effect 'lipid domain'.");
+        "a contact line, or the effect 'lipid domain'.");
 }
 
 std::vector<ParameterDerivative> LineTensionEffect::derivatives(const Scales &scales, const SceneTargets &targets) const
 {
   std::vector<ParameterDerivative> list;
   for (const SceneEdge &edge : targets.edges)
-    if (edge.support == EdgeSupport::free || edge.support == EdgeSupport::inner)
+    if (can_move(edge))
       list.push_back(
           {"Line tension/Line tension",
            std::make_shared<DensityPotential<LineTension>>(

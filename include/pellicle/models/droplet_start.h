@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/discretization/surface_discretization.h>
+#include <pellicle/models/droplet_scene.h>
+
+namespace pellicle
+{
+/** A spherical cap that meets a substrate's pole region at a given angle: polar angle of its rim seen from its own
+ * centre (0: a flat disc), area, height of the rim's plane. */
+struct StartCap
+{
+  double rim_angle = 0., area = 0., rim_height = 0.;
+};
+
+/**
+ * The cap of the given volume on plane or sphere; on a height field that of the plane. Of concave menisci in a cavity
+ * the flat one, and no cap with more than 175 degrees. Throws UserError for a drop that does not fit.
+ */
+StartCap start_cap(const DropletParameters &droplet, const SubstrateParameters &substrate);
+
+/** The cap's mesh in the user's units, its rim on the substrate and named "contact line". Throws UserError where the
+ * substrate is not smooth along the rim. */
+SurfaceDiscretization droplet_cap(const DropletScene &scene);
+} // namespace pellicle

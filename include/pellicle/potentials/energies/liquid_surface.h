@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/potentials/effect.h>
+
+namespace pellicle
+{
+/** The effect "liquid surface": energy gamma times the area of the liquid-gas surface, (52) of Sauer 2014; gamma is
+ * Droplet/Surface tension. */
+class LiquidSurfaceEffect : public Effect
+{
+public:
+  const std::string &name() const override;
+  std::string description() const override;
+  void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
+};
+} // namespace pellicle

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/potentials/wetting/substrate_chart.h>
+
+#include <memory>
+
+namespace pellicle
+{
+/** Name of the line where a drop's liquid-gas surface meets the substrate. */
+constexpr const char *contact_line = "contact line";
+
+/** What the effects of a drop take from its scene, internal units. */
+struct DropletTargets
+{
+  double surface_tension = 1.; ///< gamma of the liquid-gas surface
+  double contact_angle   = 0.; ///< theta in radians
+  /** theta(x, y) in degrees; null: the same everywhere. */
+  std::shared_ptr<const FunctionOfPlace> contact_angle_field;
+  Vector3<double> body_force; ///< rho b at Bond number and inclination of the scene
+  Vector3<double> force_per_bond_number;
+  double unit_of_place = 1.; ///< the scene's length in the user's units
+  SubstrateChart substrate;
+};
+} // namespace pellicle

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/potentials/density_potential.h>
+#include <pellicle/potentials/energies/gravity.h>
+#include <pellicle/potentials/wetting/base_integral.h>
+
+namespace pellicle
+{
+// E = -(3/4) d v with d = f . x and v = x . (x,1 x x,2)/3.
+void Gravity::add_derivatives(const PointInputs<double, 1> &inputs, const PointData & /*data*/,
+                              const PointDerivativeView &view) const
+{
+  const FieldAtPoint<double> &x = inputs[0];
+  const double depth            = dot(force, x.value());
+  add_volume_derivatives(x, 0, -0.75 * depth, view);
+  view.add_gradient(0, 0, -0.75 * volume_density(x) * force);
+  if (!view.wants_hessian())
+    return;
+  const Vector3<double> dv[3] = {1. / 3. * cross(x.d1(), x.d2()), 1. / 3. * cross(x.d2(), x.value()),
+                                 1. / 3. * cross(x.value(), x.d1())};
+  view.add_hessian(0, 0, 0, 0, -0.75 * (outer(force, dv[0]) + outer(dv[0], force)));
+  for (unsigned int a = 1; a < 3; ++a)
+    view.add_hessian(0, 0, 0, a, -0.75 * outer(force, dv[a]));
+}
+
+const std::string &GravityEffect::name() const
+{
+  static const std::string text = "gravity";
+  return text;
+}
+
+std::string GravityEffect::description() const
+{
+  return "Weight of the liquid: energy -integral of rho b . x, hydrostatic pressure p = P + rho b . x.";
+}
+
+void GravityEffect::contribute(const Scales & /*scales*/, const SceneTargets &targets, PotentialSet &set) const
+{
+  const DropletTargets &drop = targets.drop();
+  set.energies.push_back(std::make_shared<DensityPotential<Gravity>>(name(), Gravity{drop.body_force}));
+  for (const SceneEdge &edge : targets.edges)
+    if (edge.name == contact_line)
+      if (auto base = make_base_gravity(name(), drop.substrate, drop.body_force, contact_line))
+        set.energies.push_back(std::move(base));
+}
+
+// The force is proportional to the Bond number.
+std::vector<ParameterDerivative> GravityEffect::derivatives(const Scales & /*scales*/,
+                                                            const SceneTargets &targets) const
+{
+  const DropletTargets &drop          = targets.drop();
+  const Vector3<double> per_unit_bond = drop.force_per_bond_number;
+  std::vector<ParameterDerivative> list{
+      {"Droplet/Bond number", std::make_shared<DensityPotential<Gravity>>(name(), Gravity{per_unit_bond}), "", 0.}};
+  for (const SceneEdge &edge : targets.edges)
+    if (edge.name == contact_line)
+      if (auto base = make_base_gravity(name(), drop.substrate, per_unit_bond, contact_line))
+        list.push_back({"Droplet/Bond number", std::move(base), "", 0.});
+  return list;
+}
+} // namespace pellicle
