@@ -70,6 +70,8 @@ struct Candidate
   }
 
   double slope() const { return std::hypot(slope_u, slope_v); }
+
+  bool is_flat() const { return slope() <= 8. * noise(); }
 };
 
 /** A step towards a lesser distance, downhill in any case: Newton's where that is a step to a minimum, else that of
@@ -78,6 +80,47 @@ std::pair<double, double> downhill_step(const Candidate &foot)
 {
   const Symmetric2 newton = foot.second_derivatives();
   return (newton.is_positive_definite() ? newton : foot.metric()).solve(-foot.slope_u, -foot.slope_v);
+}
+
+/** From a saddle or maximum of the distance along the direction in which it falls most; `least` is the negative
+ * eigenvalue of its second derivatives. */
+Candidate leave_saddle(const FunctionOfPlace &height, const Vector3<double> &x, const Candidate &foot,
+                       const double least)
+{
+  const Symmetric2 A = foot.second_derivatives();
+  // Either column of A - (other eigenvalue) is the eigenvector; take the longer one.
+  const double other = A.xx + A.yy - least;
+  const double ax = A.xx - other, bx = A.xy, ay = A.xy, by = A.yy - other;
+  const bool first = std::hypot(ax, ay) >= std::hypot(bx, by);
+  const double du = first ? ax : bx, dv = first ? ay : by;
+  const double length = 1e-3 * std::abs(foot.above) / std::hypot(du, dv);
+  return {height, x, foot.u + length * du, foot.v + length * dv};
+}
+
+/** Whether the distance can be lowered from a place without slope. */
+bool is_saddle(const Candidate &foot, double &least_eigenvalue)
+{
+  const Symmetric2 A = foot.second_derivatives();
+  least_eigenvalue   = 0.5 * (A.xx + A.yy) - std::hypot(0.5 * (A.xx - A.yy), A.xy);
+  return least_eigenvalue < -least_distance_from_focus * foot.metric().determinant();
+}
+
+/** One step of the search with the fraction of it by which the distance falls; `foot` itself when there is none. */
+Candidate lower(const FunctionOfPlace &height, const Vector3<double> &x, const Candidate &foot)
+{
+  const auto [du, dv]  = downhill_step(foot);
+  const double descent = foot.slope_u * du + foot.slope_v * dv;
+  double fraction      = 1.;
+  for (unsigned int halvings = 0; halvings < most_halvings; ++halvings, fraction *= 0.5)
+  {
+    const Candidate trial(height, x, foot.u + fraction * du, foot.v + fraction * dv);
+    // Near the foot the distance does not change within round-off: there the slope decides.
+    const bool falls = trial.halved_square <= foot.halved_square + 1e-4 * fraction * descent;
+    const bool close = -descent <= 1e3 * rounding * foot.halved_square && trial.slope() < foot.slope();
+    if (trial.is_finite() && (falls || close))
+      return trial;
+  }
+  return foot;
 }
 
 /** The foot of x, where the slopes vanish up to round-off; `fail` throws. */
@@ -89,28 +132,19 @@ Candidate find_foot(const FunctionOfPlace &height, const Vector3<double> &x, con
     fail("the height or a derivative of it is not finite there");
   for (unsigned int step = 0; step < most_steps; ++step)
   {
-    if (foot.slope() <= 8. * foot.noise())
+    double least_eigenvalue = 0.;
+    if (foot.is_flat() && foot.above > 0. && is_saddle(foot, least_eigenvalue))
+      foot = leave_saddle(height, x, foot, least_eigenvalue);
+    if (foot.is_flat())
       return foot;
-    const auto [du, dv]  = downhill_step(foot);
-    const double descent = foot.slope_u * du + foot.slope_v * dv;
-    double fraction      = 1.;
-    for (unsigned int halvings = 0;; ++halvings, fraction *= 0.5)
+    const Candidate next = lower(height, x, foot);
+    if (next.u == foot.u && next.v == foot.v)
     {
-      const Candidate trial(height, x, foot.u + fraction * du, foot.v + fraction * dv);
-      // Near the foot the distance does not change within round-off: there the slope decides.
-      const bool lower = trial.halved_square <= foot.halved_square + 1e-4 * fraction * descent;
-      const bool close = -descent <= 1e3 * rounding * foot.halved_square && trial.slope() < foot.slope();
-      if (trial.is_finite() && (lower || close))
-      {
-        foot = trial;
-        break;
-      }
-      if (halvings < most_halvings)
-        continue;
       if (foot.slope() <= 1e4 * foot.noise()) // heights of less than full precision
         return foot;
       fail("the search for the closest point of the surface got stuck, as it does at kinks and steps of the height");
     }
+    foot = next;
   }
   fail("the search for the closest point of the surface did not converge");
   return foot;

@@ -141,8 +141,21 @@ TEST(HeightField, CentresOfCurvatureAreRefused)
   expect_close(body.gap({0., 0., 0.49}).hessian(0, 0), -2. / (1. - 0.98), 1., 1e-10);
   check_gap(body, {0.1, 0., 0.3}, 2e-7);
   expect_no_gap(body, {0., 0., 0.5}, {"(0, 0, 0.5)", "height field x^2", "centre of curvature"});
-  expect_no_gap(body, {0., 0., 2.}, {"centre of curvature"});
-  expect_close(body.gap({1e-3, 0., 2.}).gap, std::sqrt(1.5 + 0.25), 1., 1e-2); // beyond, but to one side
+  std::shared_ptr<const FunctionOfPlace> crest = std::make_shared<Formula>(
+      "-x^2", [](const double x, double) { return PlaceSample{-x * x, -2. * x, 0., -2., 0., 0.}; });
+  expect_no_gap(HeightField(crest), {0., 0., -2.}, {"height field -x^2", "centre of curvature"});
+}
+
+// On the axis of a trough there are two closest points, on both sides.
+TEST(HeightField, FarAboveOneOfTwoFeetIsTaken)
+{
+  const HeightField body(parabola());
+  for (const double x : {0., 1e-9, 1e-3})
+  {
+    const GapSample sample = body.gap({x, 0., 2.});
+    expect_close(sample.gap, std::sqrt(1.75), 1., 2e-3); // z - H = 1/2
+    expect_close(std::abs(sample.foot[0]), std::sqrt(1.5), 1., 2e-3);
+  }
 }
 
 TEST(HeightField, PlacesWithoutSlopeAreRefused)

@@ -28,4 +28,15 @@ TEST(RigidBodies, BallFromOutsideAndInside)
   }
   expect_no_gap(ball, {0., 0., -2.}, {"centre", "sphere"});
 }
+
+TEST(RigidBodies, TheNearestOfSeveralCounts)
+{
+  const NearestBody gap_between({std::make_shared<HalfSpace>(Vector3<double>{0., 0., 0.}, Vector3<double>{0., 0., 1.}),
+                                 std::make_shared<Ball>(Vector3<double>{0., 0., 3.}, 1.)});
+  EXPECT_EQ(gap_between.name(), "plane and sphere");
+  expect_close(gap_between.gap({0., 0., 0.5}).gap, 0.5);
+  expect_close(gap_between.gap({0., 0., 1.8}).gap, 0.2);
+  expect_close(gap_between.gap({0., 0., 1.8}).normal, {0., 0., -1.});
+  check_gap(gap_between, {0.2, 0.1, 1.8});
+}
 } // namespace

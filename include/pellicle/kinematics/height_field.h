@@ -20,9 +20,12 @@ namespace pellicle
  * (115) of Sauer 2014 for a rigid body.
  *
  * The foot is found from the place vertically below or above the point, downhill in distance; that is the closest point
- * of all as long as |g| is less than the radii of curvature around. gap() throws SolveError where H is not smooth or
- * not finite, where the search fails, and where the foot is no isolated minimum of the distance: at and beyond the
- * centres of curvature, 1 - g k <= 0 for a principal curvature k.
+ * of all as long as |g| is less than the radii of curvature around. Farther out the gap is that of a locally closest
+ * point (on the axis of a trough, of one of two), which does for a point that is not in contact.
+ *
+ * gap() throws SolveError where H is not smooth or not finite, where the search fails, at the centres of curvature
+ * (1 - g k = 0 for a principal curvature k), and inside the body also where the foot is no minimum of the distance,
+ * because there is no telling which way is out.
  */
 class HeightField : public RigidBody
 {
