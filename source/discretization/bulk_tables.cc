@@ -53,7 +53,7 @@ ShapeTables make_revolved_quad_tables(const unsigned int degree, const unsigned 
   ShapeTables t = tensor_product(make_edge_tables(degree, n_gauss_points), 2);
   for (double &weight : t.weights)
     weight *= 2. * pi;
-  t.map.fill({{1., 0., 0., 0., 0., 0., 0., 0., 1.}}); // diag(1, 0, 1)
+  t.map.fill({{1., 0., 0., 0., 0., 0., 0., 0., 1.}});      // diag(1, 0, 1)
   t.map[3]       = {{0., 0., 0., 1., 0., 0., 0., 0., 0.}}; // e_y e_x^T
   t.identity_map = false;
   return t;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/body_nodes.h>
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/point_walk.h>
@@ -162,7 +163,8 @@ void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors
 
 std::vector<NodalChart> SurfaceProblem::charts_here() const
 {
-  const NodalVectors normals = nodal_normals(surface, current.fields[0]);
+  const NodalVectors normals =
+      chart == PositionChart::material ? NodalVectors{} : nodal_normals(surface, current.fields[0]);
   std::vector<NodalChart> charts;
   for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
   {
@@ -183,7 +185,7 @@ std::vector<NodalChart> SurfaceProblem::charts_here() const
 // Weights and rigid motions of the present shape.
 void SurfaceProblem::renew_gauge()
 {
-  node_areas       = nodal_areas(surface, current.fields[0]);
+  node_areas       = nodal_weights(surface, current.fields[0]);
   rigid_directions = weighted_rigid_motions(surface, current.fields[0]);
   moved_in_chart   = 0.;
 }
@@ -329,7 +331,16 @@ void SurfaceProblem::add_drag(const double zeta)
 int SurfaceProblem::expected_negative_pivots() const
 {
   const Numbering &numbering = system->numbering();
-  return elimination.negative_eigenvalues() + static_cast<int>(numbering.n_constraints + numbering.n_rigid);
+  std::size_t n              = numbering.n_constraints + numbering.n_rigid;
+  for (std::size_t f = 0; f < numbering.n_fields(); ++f)
+    if (is_multiplier(f))
+      n += numbering.n_unknowns_of(f);
+  return elimination.negative_eigenvalues() + static_cast<int>(n);
+}
+
+bool SurfaceProblem::is_multiplier(const std::size_t field) const
+{
+  return field_layout.fields()[field].role == FieldRole::multiplier;
 }
 
 std::vector<double> SurfaceProblem::full_step_multipliers(const std::vector<double> &direction) const
@@ -361,7 +372,15 @@ double SurfaceProblem::merit_of(const TermValues &values, const std::vector<doub
 
 double SurfaceProblem::merit(const std::vector<double> &direction) const
 {
-  return merit_of(current_values, current.multipliers, direction);
+  SurfaceState with_full_step = current;
+  bool has_multiplier_fields  = false;
+  for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
+    if (is_multiplier(f))
+    {
+      has_multiplier_fields = true;
+      system->prolongate(direction, 1., f, with_full_step.fields[f]);
+    }
+  return merit_of(has_multiplier_fields ? evaluate(with_full_step) : current_values, current.multipliers, direction);
 }
 
 double SurfaceProblem::merit_slope(const std::vector<double> &direction) const
@@ -373,6 +392,15 @@ double SurfaceProblem::merit_slope(const std::vector<double> &direction) const
   double slope                          = 0.;
   for (std::size_t i = 0; i < n; ++i)
     slope += system->residual()[i] * direction[i];
+  // A multiplier field p is at its full step all along: dp . B dx in the place of r_p . dp, where B dx = -r_p.
+  for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
+    if (is_multiplier(f))
+      for (std::size_t I = 0; I < surface.n_nodes; ++I)
+        for (unsigned int a = 0; a < system->numbering().count(f, I); ++a)
+        {
+          const std::size_t i = system->numbering().first_of(f, I) + a;
+          slope -= 2. * system->residual()[i] * direction[i];
+        }
   for (std::size_t k = 0; k < multipliers.size(); ++k)
   {
     const Constraint &constraint = set.constraints[k];
@@ -399,7 +427,7 @@ double SurfaceProblem::try_step(const std::vector<double> &direction, const doub
 {
   trial = current;
   for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
-    system->prolongate(direction, length, f, trial.fields[f]);
+    system->prolongate(direction, is_multiplier(f) ? 1. : length, f, trial.fields[f]);
   trial.multipliers = full_step_multipliers(direction);
   for (std::size_t k = 0; k < trial.rigid_reactions.size(); ++k)
     trial.rigid_reactions[k] += direction[system->numbering().n_nodal + trial.multipliers.size() + k];

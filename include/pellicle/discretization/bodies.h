@@ -10,7 +10,8 @@ namespace pellicle
 {
 /**
  * Ends of n cells on [from, to]: n + 1 ascending numbers. Sizes grow geometrically from `first` at the beginning and
- * from `last` at the end; 0: no grading there (both 0: equal cells). Throws UserError for sizes larger than equal cells.
+ * from `last` at the end; 0: no grading there (both 0: equal cells). Throws UserError for sizes larger than equal
+ * cells.
  */
 std::vector<double> cell_ends(double from, double to, unsigned int n_cells, double first = 0., double last = 0.);
 

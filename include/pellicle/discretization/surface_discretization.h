@@ -96,8 +96,8 @@ struct BulkPart
   ShapeTables tables; ///< Gauss, degree + 1 points a direction, slots 0 to 3
   /**
    * The last nodes of every cell that carry a pressure, polynomials of degree k - 1 without continuity between cells;
-   * see add_pressure_nodes(). Such a node is an amplitude, not a place: its position is zero for ever, and a pressure is
-   * zero at all other nodes, so that one table serves both fields.
+   * see add_pressure_nodes(). Such a node is an amplitude, not a place: its position is zero for ever, and a pressure
+   * is zero at all other nodes, so that one table serves both fields.
    */
   unsigned int n_pressure_nodes = 0;
   std::map<std::string, std::vector<std::size_t>> faces; ///< nodes on the faces, by name: "top", "bottom", "side"
@@ -155,7 +155,8 @@ ShapeTables make_edge_tables(unsigned int degree, unsigned int n_gauss_points);
  * surface comes down to it), -1: against it. */
 ShapeTables make_circle_tables(int direction);
 
-/** Of a hexahedron, and of a quadrilateral revolved about z (weights with the factor 2 pi): tensor-product Gauss points.
+/** Of a hexahedron, and of a quadrilateral revolved about z (weights with the factor 2 pi): tensor-product Gauss
+ * points.
  */
 ShapeTables make_hexahedron_tables(unsigned int degree, unsigned int n_gauss_points);
 ShapeTables make_revolved_quad_tables(unsigned int degree, unsigned int n_gauss_points);

@@ -82,7 +82,8 @@ using PointInputs = std::array<FieldAtPoint<Number>, n_fields>;
  * history). */
 struct PointData
 {
-  std::size_t index   = 0; ///< running number of the quadrature point within its set of cells: cell * (points a cell) + point
+  std::size_t index =
+      0; ///< running number of the quadrature point within its set of cells: cell * (points a cell) + point
   unsigned int region = 0; ///< index into the surface's list of regions; 0: the membrane outside all others
 };
 } // namespace pellicle
