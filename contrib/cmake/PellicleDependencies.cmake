@@ -76,3 +76,13 @@ if(NOT TARGET pellicle_sacado)
   add_library(pellicle_sacado INTERFACE IMPORTED)
   set_property(TARGET pellicle_sacado PROPERTY INTERFACE_INCLUDE_DIRECTORIES "${PELLICLE_SACADO_INCLUDE}")
 endif()
+
+# Derivatives of expressions in scenes. GiNaC's headers refer to the numbers of CLN.
+find_path(PELLICLE_GINAC_INCLUDE ginac/ginac.h REQUIRED)
+find_library(PELLICLE_GINAC ginac REQUIRED)
+find_library(PELLICLE_CLN cln REQUIRED)
+if(NOT TARGET pellicle_ginac)
+  add_library(pellicle_ginac INTERFACE IMPORTED)
+  set_property(TARGET pellicle_ginac PROPERTY INTERFACE_INCLUDE_DIRECTORIES "${PELLICLE_GINAC_INCLUDE}")
+  set_property(TARGET pellicle_ginac PROPERTY INTERFACE_LINK_LIBRARIES "${PELLICLE_GINAC};${PELLICLE_CLN}")
+endif()

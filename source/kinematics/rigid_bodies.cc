@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
+#include <pellicle/base/text.h>
 #include <pellicle/kinematics/rigid_bodies.h>
+
+#include <utility>
 
 namespace pellicle
 {
@@ -46,5 +49,27 @@ const std::string &Ball::name() const
 {
   static const std::string ball = "sphere", cavity = "spherical cavity";
   return hollow ? cavity : ball;
+}
+
+NearestBody::NearestBody(std::vector<std::shared_ptr<const RigidBody>> bodies)
+    : bodies(std::move(bodies))
+{
+  PELLICLE_ASSERT(!this->bodies.empty(), "there must be a body");
+  std::vector<std::string> each;
+  for (const auto &body : this->bodies)
+    each.push_back(body->name());
+  names = joined(each, " and ");
+}
+
+GapSample NearestBody::gap(const Vector3<double> &x) const
+{
+  GapSample nearest = bodies.front()->gap(x);
+  for (std::size_t i = 1; i < bodies.size(); ++i)
+  {
+    const GapSample other = bodies[i]->gap(x);
+    if (other.gap < nearest.gap)
+      nearest = other;
+  }
+  return nearest;
 }
 } // namespace pellicle

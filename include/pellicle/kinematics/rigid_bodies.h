@@ -3,6 +3,9 @@
 
 #include <pellicle/kinematics/gap.h>
 
+#include <memory>
+#include <vector>
+
 namespace pellicle
 {
 /** Half space (x - origin) . normal < 0. */
@@ -30,5 +33,18 @@ private:
   Vector3<double> centre;
   double radius;
   bool hollow;
+};
+
+/** Several bodies as one: of their gaps the least counts. At least one body. */
+class NearestBody : public RigidBody
+{
+public:
+  explicit NearestBody(std::vector<std::shared_ptr<const RigidBody>> bodies);
+  GapSample gap(const Vector3<double> &x) const override;
+  const std::string &name() const override { return names; }
+
+private:
+  std::vector<std::shared_ptr<const RigidBody>> bodies;
+  std::string names;
 };
 } // namespace pellicle
