@@ -17,7 +17,7 @@ namespace pellicle
 namespace
 {
 constexpr unsigned int highest_hexahedral_degree = 3; ///< 64 nodes a cell
-constexpr unsigned int highest_degree            = 7;
+constexpr unsigned int highest_degree            = 5;
 
 /** Nodes along one direction. */
 struct Line

@@ -125,11 +125,11 @@ private:
 /** Presses from a first depth on until the force is F: F grows as depth^(3/2). */
 Contact press_with(Indentation &indentation, double depth, const double tolerance)
 {
-  Contact contact = indentation.press(depth, 2);
+  Contact contact = indentation.press(depth, 3);
   for (int i = 0; i < 6 && std::abs(contact.force / F - 1.) > tolerance; ++i)
   {
     depth *= std::pow(F / contact.force, 2. / 3.);
-    contact = indentation.press(depth, 2);
+    contact = indentation.press(depth, 3);
   }
   return contact;
 }

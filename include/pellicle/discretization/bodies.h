@@ -35,10 +35,10 @@ struct CylinderShape
 };
 
 /**
- * Circular cylinder about z, of quadrilaterals in the half plane (first coordinate upwards, second outwards), hollow if
- * r begins above 0. The surface is the meridian of its top face, n = e_z, outwards from the axis, with the rim "rim"
- * (and "inner rim"); the body has the faces "side" (and "inner side"), "bottom" and "top". Throws UserError as block()
- * does.
+ * Circular cylinder about z, of quadrilaterals of degree 1 to 5 in the half plane (first coordinate upwards, second
+ * outwards), hollow if r begins above 0. The surface is the meridian of its top face, n = e_z, outwards from the axis,
+ * with the rim "rim" (and "inner rim"); the body has the faces "side" (and "inner side"), "bottom" and "top". Throws
+ * UserError as block() does.
  */
 SurfaceDiscretization cylinder(const std::string &name, const CylinderShape &shape, unsigned int degree);
 
