@@ -15,18 +15,6 @@ bool declares_internal(const Potential &potential)
   const std::vector<FieldUse> uses = potential.fields();
   return std::any_of(uses.begin(), uses.end(), [](const FieldUse &use) { return use.role == FieldRole::internal; });
 }
-
-/** The set of cells on which a potential acts: 0 or 1 + the number of the edge loop. */
-std::size_t set_of(const SurfaceDiscretization &discretization, const Where &where)
-{
-  if (where.part != Where::Part::edge)
-    return 0;
-  const auto &edges = discretization.edges;
-  const auto found =
-      std::find_if(edges.begin(), edges.end(), [&](const EdgeLoop &edge) { return edge.name == where.name; });
-  PELLICLE_ASSERT(found != edges.end(), "a potential acts on an edge loop that this surface does not have");
-  return 1 + static_cast<std::size_t>(found - edges.begin());
-}
 } // namespace
 
 Assembler::Selection Assembler::everything(const PotentialSet &set, const FieldLayout &layout)
@@ -59,7 +47,7 @@ Assembler::Assembler(const SurfaceDiscretization &discretization, const FieldLay
     : discretization(discretization)
     , layout(layout)
     , communicator(communicator)
-    , work(1 + discretization.edges.size())
+    , work(n_sets(discretization))
 {
   for (const std::size_t k : selection.energies)
     place(*set.energies[k], {k, Term::all_regions, 0, layout.offsets(*set.energies[k]), {}}, &Work::energies);

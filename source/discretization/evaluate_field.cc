@@ -6,7 +6,7 @@ namespace pellicle
 {
 namespace
 {
-constexpr unsigned int most_nodes = 64; ///< of a cell: degree 7 on a surface
+constexpr unsigned int most_nodes = 80; ///< of a cell: degree 3 in a body, with its pressure nodes
 
 /** sum_I table(s, q, I) v_I for all slots of all points. The number of slots is known to the compiler, so that the sums
  * of a point (3 to 18 of them, independent of each other) stay in registers. */

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/body_nodes.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/models/internal_elimination.h>
 
@@ -22,7 +23,8 @@ NodalChart chart_of_internal_field(const SurfaceDiscretization &discretization, 
 {
   NodalChart chart = field.space == FieldSpace::edge_conormals ? conormal_chart(discretization, positions, values)
                      : field.space == FieldSpace::edge_scalars ? edge_scalar_chart(discretization)
-                                                               : free_chart(discretization);
+                     : field.space == FieldSpace::bulk_scalars ? bulk_scalar_chart(discretization)
+                                                               : surface_vector_chart(discretization);
   apply_conditions(conditions, field.name, chart);
   return chart;
 }

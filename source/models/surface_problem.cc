@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/body_nodes.h>
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/assembly/rim_directions.h>
 #include <pellicle/base/exceptions.h>
@@ -174,7 +175,7 @@ void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors
 
 std::vector<NodalChart> SurfaceProblem::charts_here() const
 {
-  const NodalVectors normals = transversal_directions();
+  const NodalVectors normals = chart == PositionChart::material ? NodalVectors{} : transversal_directions();
   std::vector<NodalChart> charts;
   for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
   {
@@ -217,68 +218,14 @@ void SurfaceProblem::keep_nodes_on_bodies(NodalChart &positions) const
 // Weights and rigid motions of the present shape.
 void SurfaceProblem::renew_gauge()
 {
-  node_areas       = nodal_areas(surface, current.fields[0]);
+  node_areas       = nodal_weights(surface, current.fields[0]);
   rigid_directions = weighted_rigid_motions(surface, current.fields[0]);
   moved_in_chart   = 0.;
-}
-
-std::vector<const AssemblyCounters *> SurfaceProblem::counters() const
-{
-  std::vector<const AssemblyCounters *> all{&assembler.counters(), &elimination.counters()};
-  if (mesh_assembler)
-    all.push_back(&mesh_assembler->counters());
-  return all;
 }
 
 double SurfaceProblem::constraint_residual(const std::size_t k, const TermValues &values, const double lambda) const
 {
   return values.constraints[k] - set.constraints[k].target - lambda / set.constraints[k].stiffness;
-}
-
-SurfaceProblem::NodalForces SurfaceProblem::nodal_forces() const
-{
-  const Timing::Scope scope(timing, "assembly");
-  const std::size_t n = 3 * surface.n_nodes;
-  NodalForces forces{NodalVectors(n, 0.), std::vector<NodalVectors>(set.constraints.size(), NodalVectors(n, 0.))};
-  const auto add = [](const Cell &cell, const std::vector<double> &gradient, NodalVectors &sum)
-  {
-    for (unsigned int c = 0; c < 3; ++c)
-      for (std::size_t i = 0; i < cell.n_nodes; ++i)
-        sum[3 * cell.nodes[i] + c] += gradient[c * cell.n_nodes + i]; // the position is the first field
-  };
-  assembler.loop(set, current.fields, current.multipliers, Order::gradient,
-                 [&](const Cell &cell, const Element &element, const auto &constraint_gradients)
-                 {
-                   add(cell, element.gradient, forces.total);
-                   for (std::size_t k = 0; k < forces.constraints.size(); ++k)
-                     if (!constraint_gradients[k].empty())
-                       add(cell, constraint_gradients[k], forces.constraints[k]);
-                 });
-  communicator.sum(forces.total);
-  for (NodalVectors &gradient : forces.constraints)
-    communicator.sum(gradient);
-  return forces;
-}
-
-NodalVectors SurfaceProblem::nodal_forces(const PotentialSet &part) const
-{
-  NodalVectors sum(3 * surface.n_nodes, 0.);
-  Assembler other(surface, field_layout, part, communicator, Assembler::everything(part, field_layout));
-  other.loop(part, current.fields, current.multipliers, Order::gradient,
-             [&](const Cell &cell, const Element &element, const auto &)
-             {
-               for (unsigned int c = 0; c < 3; ++c)
-                 for (std::size_t i = 0; i < cell.n_nodes; ++i)
-                   sum[3 * cell.nodes[i] + c] += element.gradient[c * cell.n_nodes + i];
-             });
-  communicator.sum(sum);
-  return sum;
-}
-
-std::shared_ptr<const RigidBody> SurfaceProblem::body_of(const std::size_t node) const
-{
-  const auto found = conditions.find("position");
-  return found != conditions.end() && !found->second.body.empty() ? found->second.body[node] : nullptr;
 }
 
 void SurfaceProblem::linearize()
@@ -332,51 +279,6 @@ double SurfaceProblem::constraint_violation() const
   return largest;
 }
 
-std::vector<double> SurfaceProblem::gradient_of(const PotentialSet &further) const
-{
-  const Timing::Scope scope(timing, "assembly");
-  std::vector<NodalVectors> gradients(field_layout.fields().size(), NodalVectors(3 * surface.n_nodes, 0.));
-  Assembler other(surface, field_layout, further, communicator, Assembler::everything(further, field_layout));
-  other.loop(further, current.fields, {}, Order::gradient,
-             [&](const Cell &cell, const Element &element, const auto &)
-             {
-               for (std::size_t f = 0; f < gradients.size(); ++f)
-                 for (unsigned int c = 0; c < 3; ++c)
-                   for (std::size_t i = 0; i < cell.n_nodes; ++i)
-                     gradients[f][3 * cell.nodes[i] + c] += element.gradient[(3 * f + c) * cell.n_nodes + i];
-             });
-  const Numbering &numbering = system->numbering();
-  std::vector<double> result(numbering.size(), 0.);
-  for (std::size_t f = 0; f < gradients.size(); ++f)
-  {
-    communicator.sum(gradients[f]);
-    system->restrict_vector(f, gradients[f], result);
-    for (std::size_t I = 0; I < numbering.charts[f].nodes.size(); ++I)
-      for (unsigned int a = 0; a < numbering.count(f, I); ++a)
-        if (numbering.charts[f].nodes[I].mesh_equation[a])
-          result[numbering.first_of(f, I) + a] = 0.;
-  }
-  return result;
-}
-
-double SurfaceProblem::value_of(const PotentialSet &further) const
-{
-  Assembler other(surface, field_layout, further, communicator, Assembler::everything(further, field_layout));
-  const std::vector<double> values = other.loop(further, current.fields, {}, Order::value).energies;
-  return std::accumulate(values.begin(), values.end(), 0.);
-}
-
-std::vector<double> SurfaceProblem::area_weights() const
-{
-  const Numbering &numbering = system->numbering();
-  std::vector<double> weights(numbering.size(), 0.);
-  for (std::size_t I = 0; I < surface.n_nodes; ++I)
-    for (unsigned int a = 0; a < numbering.count(0, I); ++a)
-      if (!numbering.charts[0].nodes[I].mesh_equation[a])
-        weights[numbering.first_of(0, I) + a] += node_areas[I];
-  return weights;
-}
-
 void SurfaceProblem::add_drag(const double zeta)
 {
   const Numbering &numbering = system->numbering();
@@ -390,7 +292,16 @@ void SurfaceProblem::add_drag(const double zeta)
 int SurfaceProblem::expected_negative_pivots() const
 {
   const Numbering &numbering = system->numbering();
-  return elimination.negative_eigenvalues() + static_cast<int>(numbering.n_constraints + numbering.n_rigid);
+  std::size_t n              = numbering.n_constraints + numbering.n_rigid;
+  for (std::size_t f = 0; f < numbering.n_fields(); ++f)
+    if (is_multiplier(f))
+      n += numbering.n_unknowns_of(f);
+  return elimination.negative_eigenvalues() + static_cast<int>(n);
+}
+
+bool SurfaceProblem::is_multiplier(const std::size_t field) const
+{
+  return field_layout.fields()[field].role == FieldRole::multiplier;
 }
 
 std::vector<double> SurfaceProblem::full_step_multipliers(const std::vector<double> &direction) const
@@ -422,7 +333,15 @@ double SurfaceProblem::merit_of(const TermValues &values, const std::vector<doub
 
 double SurfaceProblem::merit(const std::vector<double> &direction) const
 {
-  return merit_of(current_values, current.multipliers, direction);
+  SurfaceState with_full_step = current;
+  bool has_multiplier_fields  = false;
+  for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
+    if (is_multiplier(f))
+    {
+      has_multiplier_fields = true;
+      system->prolongate(direction, 1., f, with_full_step.fields[f]);
+    }
+  return merit_of(has_multiplier_fields ? evaluate(with_full_step) : current_values, current.multipliers, direction);
 }
 
 double SurfaceProblem::merit_slope(const std::vector<double> &direction) const
@@ -434,6 +353,15 @@ double SurfaceProblem::merit_slope(const std::vector<double> &direction) const
   double slope                          = 0.;
   for (std::size_t i = 0; i < n; ++i)
     slope += system->residual()[i] * direction[i];
+  // A multiplier field p is at its full step all along: dp . B dx in the place of r_p . dp, where B dx = -r_p.
+  for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
+    if (is_multiplier(f))
+      for (std::size_t I = 0; I < surface.n_nodes; ++I)
+        for (unsigned int a = 0; a < system->numbering().count(f, I); ++a)
+        {
+          const std::size_t i = system->numbering().first_of(f, I) + a;
+          slope -= 2. * system->residual()[i] * direction[i];
+        }
   for (std::size_t k = 0; k < multipliers.size(); ++k)
   {
     const Constraint &constraint = set.constraints[k];
@@ -462,7 +390,7 @@ double SurfaceProblem::try_step(const std::vector<double> &direction, const doub
   try
   {
     for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
-      system->prolongate(direction, length, f, trial.fields[f]);
+      system->prolongate(direction, is_multiplier(f) ? 1. : length, f, trial.fields[f]);
   }
   catch (const SolveError &)
   {
@@ -492,38 +420,4 @@ void SurfaceProblem::accept_trial()
   }
 }
 
-double SurfaceProblem::displacement(const std::vector<double> &direction) const
-{
-  const NodalVectors move = displacements(direction);
-  double largest          = 0.;
-  for (std::size_t I = 0; I < surface.n_nodes; ++I)
-  {
-    const double length = norm(vector_at(move, I));
-    if (!(length <= largest)) // keeps nan
-      largest = length;
-  }
-  return largest;
-}
-
-std::vector<double> SurfaceProblem::direction_of(const NodalVectors &displacements) const
-{
-  std::vector<double> direction(system->numbering().size(), 0.);
-  system->restrict_vector(0, displacements, direction); // the columns of a node are orthonormal
-  return direction;
-}
-
-NodalVectors SurfaceProblem::displacements(const std::vector<double> &direction) const
-{
-  NodalVectors move(3 * surface.n_nodes, 0.);
-  system->prolongate(direction, 1., 0, move);
-  return move;
-}
-
-double SurfaceProblem::energy() const
-{
-  double sum = energy_of_self_terms(current_values, current.multipliers);
-  for (const double energy : current_values.energies)
-    sum += energy;
-  return sum;
-}
 } // namespace pellicle

@@ -29,8 +29,8 @@ struct TermValues
 };
 
 /**
- * The loop over cells, of the surface and of its edge loops: gathers nodal values, forms the inputs of points, lets
- * potentials and constraints add, contracts. Works in plain R^3 and knows neither charts nor matrices; what a cell
+ * The loop over cells, of the surface, its edge loops and bodies: gathers nodal values, forms the inputs of points,
+ * lets potentials and constraints add, contracts. Works in plain R^3 and knows neither charts nor matrices; what a cell
  * yields is handed to a visitor. Sets of cells on which nothing acts are not visited.
  */
 class Assembler

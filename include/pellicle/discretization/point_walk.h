@@ -43,12 +43,14 @@ struct WalkCell
 
 /**
  * Calls visit(WalkCell) for cell after cell, with the first `n_slots` slots of a field at the points of the tables.
- * `cell_nodes` has tables.n_nodes numbers a cell: those of a surface, or those of the edges of a line.
+ * `cell_nodes` has tables.n_nodes numbers a cell: those of a surface, of the edges of a line, or of a body.
  */
 template <typename Visit>
 void for_all_cells(const ShapeTables &tables, const std::vector<std::size_t> &cell_nodes, const NodalVectors &values,
                    const unsigned int n_slots, const Visit &visit)
 {
+  if (cell_nodes.empty())
+    return;
   std::vector<double> inputs(std::size_t(tables.n_points) * 18);
   const std::size_t n_cells = cell_nodes.size() / tables.n_nodes;
   for (std::size_t cell = 0; cell < n_cells; ++cell)

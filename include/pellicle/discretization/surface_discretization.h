@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +25,8 @@ using NodalVectors = std::vector<double>;
  *
  * On a surface every map is the identity and the tables are N_I, N_I,1, ... on the unit cell (x_,a = sum_I x_I N_I,a,
  * never a mapping). On a meridian (x = (r, 0, z), revolved about the z axis, second parameter phi) x_,2 = r e_phi:
- * table N_I, map e_y e_x^T.
+ * table N_I, map e_y e_x^T. In a body slot 3 is ",3", and slots 4 and 5 are zero; of a body of revolution x_,3 = r
+ * e_phi.
  */
 struct ShapeTables
 {
@@ -80,8 +82,31 @@ struct EdgeLoop
 };
 
 /**
+ * A body in R^3: hexahedra of degree k or, where the surface is described by its meridian, quadrilaterals in the half
+ * plane r >= 0, y = 0, revolved about z (,3 is the derivative along phi). Cells are oriented so that x,1 . (x,2 x x,3)
+ * > 0. It shares nodes with the surfaces that bound it.
+ */
+struct BulkPart
+{
+  std::string name; ///< "substrate", "liquid"
+  std::size_t n_cells = 0;
+  /** Nodes of cell c: cell_nodes[c * tables.n_nodes + i], i lexicographic on the unit cell (first coordinate fastest),
+   * then the cell's pressure nodes. */
+  std::vector<std::size_t> cell_nodes;
+  ShapeTables tables; ///< Gauss, degree + 1 points a direction, slots 0 to 3
+  /**
+   * The last nodes of every cell that carry a pressure, polynomials of degree k - 1 without continuity between cells;
+   * see add_pressure_nodes(). Such a node is an amplitude, not a place: its position is zero for ever, and a pressure
+   * is zero at all other nodes, so that one table serves both fields.
+   */
+  unsigned int n_pressure_nodes = 0;
+  std::map<std::string, std::vector<std::size_t>> faces; ///< nodes on the faces, by name: "top", "bottom", "side"
+};
+
+/**
  * A surface in pieces of degree k, whichever way it is described: cells, nodes, shape tables, what the nodes may
- * do. Nothing here knows physics; the positions are a start shape and from then on a field like any other.
+ * do. Nothing here knows physics; the positions are a start shape and from then on a field like any other. Bodies may
+ * come with the surface, or stand alone (no cells in the surface).
  */
 struct SurfaceDiscretization
 {
@@ -106,6 +131,7 @@ struct SurfaceDiscretization
   std::vector<RigidMotion> rigid_motions;       ///< six in R^3, one (along z) on a meridian, none with a mirror plane
   bool mirror = false;                          ///< a meridian that ends on the mirror plane z = 0
   std::vector<EdgeLoop> edges;                  ///< rims of an open surface and lines around regions
+  std::vector<BulkPart> bulks;                  ///< bodies
   std::vector<unsigned int> cell_region;        ///< index into region_names, one per cell; empty: one region
   std::vector<std::string> region_names;        ///< the first is the membrane outside all other regions
 
@@ -128,6 +154,12 @@ ShapeTables make_edge_tables(unsigned int degree, unsigned int n_gauss_points);
 /** Of the circle that one node of a meridian stands for, weight 2 pi. `direction` +1: the line runs along e_phi (the
  * surface comes down to it), -1: against it. */
 ShapeTables make_circle_tables(int direction);
+
+/** Of a hexahedron, and of a quadrilateral revolved about z (weights with the factor 2 pi): tensor-product Gauss
+ * points.
+ */
+ShapeTables make_hexahedron_tables(unsigned int degree, unsigned int n_gauss_points);
+ShapeTables make_revolved_quad_tables(unsigned int degree, unsigned int n_gauss_points);
 
 /** Values of the cell's 1-D or tensor-product Lagrange basis (Gauss-Lobatto support points of FE_Q, lexicographic) at
  * arbitrary unit points: a table like the above with the given points (surface: xi in [0,1]^2; meridian: only the first

@@ -13,7 +13,7 @@
 
 namespace pellicle
 {
-/** All admissible values of an internal field at the present ones. */
+/** All admissible values of a field other than the position, at the present ones. */
 NodalChart chart_of_internal_field(const SurfaceDiscretization &discretization, const Field &field,
                                    const NodalVectors &positions, const NodalVectors &values,
                                    const NodalConditions &conditions);

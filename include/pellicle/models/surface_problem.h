@@ -34,8 +34,9 @@ enum class PositionChart
 };
 
 /**
- * Equilibrium of a surface under listed energies and constraints: mesh + fields + lists, in a chart. Internal fields
- * are eliminated after every change of the others, so Newton acts on the reduced energy.
+ * Equilibrium of a surface, and of the bodies that come with it, under listed energies and constraints: mesh + fields +
+ * lists, in a chart (with bodies the material one). Internal fields are eliminated after every change of the others, so
+ * Newton acts on the reduced energy. Fields that are multipliers take full steps, as the constraints' multipliers do.
  */
 class SurfaceProblem : public EquilibriumProblem
 {
@@ -119,6 +120,7 @@ private:
                   const std::vector<double> &direction) const;
   std::vector<double> full_step_multipliers(const std::vector<double> &direction) const;
   double constraint_residual(std::size_t k, const TermValues &values, double lambda) const;
+  bool is_multiplier(std::size_t field) const;
 
   const SurfaceDiscretization &surface;
   PotentialSet set;

@@ -14,6 +14,7 @@ enum class Derivatives
 {
   none   = 1, ///< the value
   first  = 3, ///< value, ,1 ,2
+  bulk   = 4, ///< value, ,1 ,2 ,3, in a body
   second = 6  ///< value, ,1 ,2, ,11 ,12 ,22
 };
 
@@ -27,7 +28,8 @@ constexpr unsigned int n_slots(const Derivatives derivatives)
 enum class FieldRole
 {
   independent, ///< an unknown of Newton's method
-  internal     ///< eliminated at every state by its own block of equations (the moment of the (x, P) form)
+  internal,    ///< eliminated at every state by its own block of equations (the moment of the (x, P) form)
+  multiplier   ///< an unknown in which the sum of energies is linear: a Lagrange multiplier at every point
 };
 
 /** What the values of a field are. */
@@ -35,7 +37,8 @@ enum class FieldSpace
 {
   vectors,        ///< of R^3, at all nodes
   edge_conormals, ///< unit vectors at the nodes of edge loops
-  edge_scalars    ///< numbers at the nodes of edge loops, the first component of the vectors
+  edge_scalars,   ///< numbers at the nodes of edge loops, the first component of the vectors
+  bulk_scalars    ///< numbers at the pressure nodes of bodies, the first component of the vectors
 };
 
 /** A field that a density reads: its name, how far it is differentiated, its role, and what its values are. */
@@ -54,7 +57,8 @@ struct FieldUse
  * |-----------------|--------------|
  * | value           | x            |
  * | d1, d2          | x,1  x,2     |
- * | d11, d12, d22   | x,11 x,12 x,22 |
+ * | d11, d12, d22   | x,11 x,12 x,22, on a surface |
+ * | d3              | x,3, in a body, in the place of d11 |
  */
 template <typename Number>
 struct FieldAtPoint
@@ -67,6 +71,7 @@ struct FieldAtPoint
   const Vector3<Number> &d11() const { return slots[3]; }
   const Vector3<Number> &d12() const { return slots[4]; }
   const Vector3<Number> &d22() const { return slots[5]; }
+  const Vector3<Number> &d3() const { return slots[3]; }
 };
 
 /** All fields that a density declares, in the order of its declaration. */
@@ -77,7 +82,8 @@ using PointInputs = std::array<FieldAtPoint<Number>, n_fields>;
  * history). */
 struct PointData
 {
-  std::size_t index   = 0; ///< running number of the quadrature point: cell * (points a cell) + point
+  std::size_t index =
+      0; ///< running number of the quadrature point within its set of cells: cell * (points a cell) + point
   unsigned int region = 0; ///< index into the surface's list of regions; 0: the membrane outside all others
 };
 } // namespace pellicle

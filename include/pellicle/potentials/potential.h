@@ -59,18 +59,19 @@ struct Where
   {
     surface, ///< all cells
     region,  ///< the cells of one region
-    edge     ///< an edge loop
+    edge,    ///< an edge loop
+    bulk     ///< a body
   };
   Part part = Part::surface;
-  std::string name; ///< of the region or the edge loop
+  std::string name; ///< of the region, the edge loop or the body
 };
 
 /**
  * One term of the variational principle, seen from a cell: it only adds. A potential knows neither shape functions nor
  * unknowns.
  *
- * The value at a point is a density per unit of parametric area (on an edge loop: of parametric length); the potential
- * is its integral over where().
+ * The value at a point is a density per unit of parametric area (on an edge loop: of parametric length, in a body: of
+ * parametric volume); the potential is its integral over where().
  */
 class Potential
 {

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What others ask of a surface problem at its present state.
+#include <pellicle/assembly/edge_frames.h>
+#include <pellicle/models/surface_problem.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pellicle
+{
+SurfaceProblem::NodalForces SurfaceProblem::nodal_forces() const
+{
+  const Timing::Scope scope(timing, "assembly");
+  const std::size_t n = 3 * surface.n_nodes;
+  NodalForces forces{NodalVectors(n, 0.), std::vector<NodalVectors>(set.constraints.size(), NodalVectors(n, 0.))};
+  const auto add = [](const Cell &cell, const std::vector<double> &gradient, NodalVectors &sum)
+  {
+    for (unsigned int c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < cell.n_nodes; ++i)
+        sum[3 * cell.nodes[i] + c] += gradient[c * cell.n_nodes + i]; // the position is the first field
+  };
+  assembler.loop(set, current.fields, current.multipliers, Order::gradient,
+                 [&](const Cell &cell, const Element &element, const auto &constraint_gradients)
+                 {
+                   add(cell, element.gradient, forces.total);
+                   for (std::size_t k = 0; k < forces.constraints.size(); ++k)
+                     if (!constraint_gradients[k].empty())
+                       add(cell, constraint_gradients[k], forces.constraints[k]);
+                 });
+  communicator.sum(forces.total);
+  for (NodalVectors &gradient : forces.constraints)
+    communicator.sum(gradient);
+  return forces;
+}
+
+NodalVectors SurfaceProblem::nodal_forces(const PotentialSet &part) const
+{
+  NodalVectors sum(3 * surface.n_nodes, 0.);
+  Assembler other(surface, field_layout, part, communicator, Assembler::everything(part, field_layout));
+  other.loop(part, current.fields, current.multipliers, Order::gradient,
+             [&](const Cell &cell, const Element &element, const auto &)
+             {
+               for (unsigned int c = 0; c < 3; ++c)
+                 for (std::size_t i = 0; i < cell.n_nodes; ++i)
+                   sum[3 * cell.nodes[i] + c] += element.gradient[c * cell.n_nodes + i];
+             });
+  communicator.sum(sum);
+  return sum;
+}
+
+std::shared_ptr<const RigidBody> SurfaceProblem::body_of(const std::size_t node) const
+{
+  const auto found = conditions.find("position");
+  return found != conditions.end() && !found->second.body.empty() ? found->second.body[node] : nullptr;
+}
+
+std::vector<double> SurfaceProblem::gradient_of(const PotentialSet &further) const
+{
+  const Timing::Scope scope(timing, "assembly");
+  std::vector<NodalVectors> gradients(field_layout.fields().size(), NodalVectors(3 * surface.n_nodes, 0.));
+  Assembler other(surface, field_layout, further, communicator, Assembler::everything(further, field_layout));
+  other.loop(further, current.fields, {}, Order::gradient,
+             [&](const Cell &cell, const Element &element, const auto &)
+             {
+               for (std::size_t f = 0; f < gradients.size(); ++f)
+                 for (unsigned int c = 0; c < 3; ++c)
+                   for (std::size_t i = 0; i < cell.n_nodes; ++i)
+                     gradients[f][3 * cell.nodes[i] + c] += element.gradient[(3 * f + c) * cell.n_nodes + i];
+             });
+  const Numbering &numbering = system->numbering();
+  std::vector<double> result(numbering.size(), 0.);
+  for (std::size_t f = 0; f < gradients.size(); ++f)
+  {
+    communicator.sum(gradients[f]);
+    system->restrict_vector(f, gradients[f], result);
+    for (std::size_t I = 0; I < numbering.charts[f].nodes.size(); ++I)
+      for (unsigned int a = 0; a < numbering.count(f, I); ++a)
+        if (numbering.charts[f].nodes[I].mesh_equation[a])
+          result[numbering.first_of(f, I) + a] = 0.;
+  }
+  return result;
+}
+
+double SurfaceProblem::value_of(const PotentialSet &further) const
+{
+  Assembler other(surface, field_layout, further, communicator, Assembler::everything(further, field_layout));
+  const std::vector<double> values = other.loop(further, current.fields, {}, Order::value).energies;
+  return std::accumulate(values.begin(), values.end(), 0.);
+}
+
+std::vector<double> SurfaceProblem::area_weights() const
+{
+  const Numbering &numbering = system->numbering();
+  std::vector<double> weights(numbering.size(), 0.);
+  for (std::size_t I = 0; I < surface.n_nodes; ++I)
+    for (unsigned int a = 0; a < numbering.count(0, I); ++a)
+      if (!numbering.charts[0].nodes[I].mesh_equation[a])
+        weights[numbering.first_of(0, I) + a] += node_areas[I];
+  return weights;
+}
+
+double SurfaceProblem::displacement(const std::vector<double> &direction) const
+{
+  const NodalVectors move = displacements(direction);
+  double largest          = 0.;
+  for (std::size_t I = 0; I < surface.n_nodes; ++I)
+  {
+    const double length = norm(vector_at(move, I));
+    if (!(length <= largest)) // keeps nan
+      largest = length;
+  }
+  return largest;
+}
+
+std::vector<double> SurfaceProblem::direction_of(const NodalVectors &displacements) const
+{
+  std::vector<double> direction(system->numbering().size(), 0.);
+  system->restrict_vector(0, displacements, direction); // the columns of a node are orthonormal
+  return direction;
+}
+
+NodalVectors SurfaceProblem::displacements(const std::vector<double> &direction) const
+{
+  NodalVectors move(3 * surface.n_nodes, 0.);
+  system->prolongate(direction, 1., 0, move);
+  return move;
+}
+
+double SurfaceProblem::energy() const
+{
+  double sum = energy_of_self_terms(current_values, current.multipliers);
+  for (const double energy : current_values.energies)
+    sum += energy;
+  return sum;
+}
+
+std::vector<const AssemblyCounters *> SurfaceProblem::counters() const
+{
+  std::vector<const AssemblyCounters *> all{&assembler.counters(), &elimination.counters()};
+  if (mesh_assembler)
+    all.push_back(&mesh_assembler->counters());
+  return all;
+}
+} // namespace pellicle
