@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pellicle/assembly/edge_frames.h>
 #include <pellicle/base/constants.h>
-#include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/point_walk.h>
 #include <pellicle/models/cell_geometry.h>
 #include <pellicle/models/droplet_measures.h>
 #include <pellicle/models/largest_value.h>
 #include <pellicle/models/line_density.h>
+#include <pellicle/models/line_forces.h>
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_model.h>
 #include <pellicle/potentials/wetting/base_integral.h>
@@ -43,37 +42,20 @@ double over_base(const SubstrateChart &chart, const EdgeLoop &line, const NodalV
       chart);
 }
 
-/** The liquid's part of the lists: without what belongs to the line alone. */
-PotentialSet of_the_liquid(const PotentialSet &all)
-{
-  PotentialSet liquid = all;
-  liquid.energies.clear();
-  for (const auto &energy : all.energies)
-    if (energy->where().part != Where::Part::edge || energy->name() == "gravity")
-      liquid.energies.push_back(energy);
-  return liquid;
-}
-
 struct Angles
 {
   double mean = 0., smallest = 0., largest = 0.; ///< degrees
 };
 
 /** gamma cos(theta) = tangential pull across the line, per length. */
-Angles contact_angles(const SurfaceModel &model, const EdgeLoop &line, const RigidBody &body, const double tension)
+Angles contact_angles(const SurfaceModel &model, const EdgeLoop &line, const double tension)
 {
-  const SurfaceProblem &problem = model.equilibrium();
-  const NodalVectors positions  = model.positions();
-  const NodalVectors forces     = problem.nodal_forces(of_the_liquid(problem.potentials()));
   std::map<std::size_t, double> pull;
-  for (const auto &[node, t] : nodal_line_tangents(model.mesh(), positions))
-  {
-    const Vector3<double> across = cross(t, body.gap(vector_at(positions, node)).normal);
-    pull[node]                   = dot(vector_at(forces, node), (1. / norm(across)) * across);
-  }
+  for (const auto &[node, force] : line_forces(model.equilibrium(), line, model.scene_targets().drop().substrate))
+    pull[node] = force.pull;
   Angles angles{0., 180., 0.};
   double length = 0.;
-  for (const LineDensity &at : density_along_line(line, positions, pull))
+  for (const LineDensity &at : density_along_line(line, model.positions(), pull))
   {
     const double theta = std::acos(std::clamp(at.value / tension, -1., 1.)) * 180. / pi;
     angles.mean += theta * at.length;
@@ -110,9 +92,7 @@ std::vector<NamedQuantity> measure_droplet(const SurfaceModel &model)
   };
   report("volume", volume, dimensions::volume);
   report("contact_radius", std::sqrt(std::max(0., wetted) / pi), dimensions::length);
-  const std::shared_ptr<const RigidBody> body = model.equilibrium().body_of(line.cell_nodes.front());
-  PELLICLE_ASSERT(body != nullptr, "the contact line is on a body");
-  const Angles angles = contact_angles(model, line, *body, drop.surface_tension);
+  const Angles angles = contact_angles(model, line, drop.surface_tension);
   report("contact_angle_degrees", angles.mean, dimensions::none);
   if (surface.kind == SurfaceDiscretization::Kind::surface)
   {

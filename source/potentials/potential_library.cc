@@ -16,6 +16,7 @@
 #include <pellicle/potentials/energies/surface_tension.h>
 #include <pellicle/potentials/energies/tu_ou_yang_skin.h>
 #include <pellicle/potentials/potential_library.h>
+#include <pellicle/potentials/wetting/line_pinning.h>
 #include <pellicle/potentials/wetting/wetting.h>
 
 #include <cctype>
@@ -50,6 +51,7 @@ EffectLibrary droplet_effects()
   library.add("volume constraint", [] { return std::make_unique<VolumeConstraintEffect>(); });
   library.add("wetting", [] { return std::make_unique<WettingEffect>(); });
   library.add("gravity", [] { return std::make_unique<GravityEffect>(); });
+  library.add("line pinning", [] { return std::make_unique<LinePinningEffect>(); });
   library.add("line tension", [] { return std::make_unique<LineTensionEffect>(); });
   library.add("pressure", [] { return std::make_unique<PressureEffect>(); });
   return library;

@@ -39,6 +39,9 @@ public:
   bool has_origin() const override { return true; }
   std::vector<SceneEdge> edges() const override;
   NodalConditions conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const override;
+  /** That of 'line pinning'. */
+  std::vector<std::unique_ptr<ActiveSet>> active_sets(const SurfaceDiscretization &surface,
+                                                      const SceneTargets &targets) const override;
   SurfaceMeasures measures(const Scales &scales) const override;
 
 protected:
@@ -49,6 +52,11 @@ protected:
   bool is_fixed(const std::string &parameter) const override;
 
 private:
+  void check_line_pinning() const;
+  /** Whether gravity is normal to the substrate at the origin. */
+  bool is_level() const;
+  /** Whether the drop's weight has a part along the substrate at the origin. */
+  bool is_pulled_along() const;
   std::vector<RigidMotion> free_motions() const;
 };
 

@@ -57,6 +57,9 @@ public:
   /** Other conditions of the nodes' positions: they take effect with the next use_chart(). */
   void set_conditions(NodalConditions conditions);
   const NodalConditions &nodal_conditions() const { return conditions; }
+  /** Whether the discretization's rigid motions are a gauge (the default): not if something holds the surface in space.
+   * It takes effect with the next use_chart(). */
+  void set_rigid_gauge(const bool wanted) { rigid_gauge = wanted; }
 
   /** Chart at the current positions; `mesh_reference`: positions whose metric the ALE mesh energy prefers. Throws
    * UserError if it would hold back tangential motion that a potential sees. */
@@ -134,6 +137,7 @@ private:
   std::vector<NodalChart> charts_here() const;
   NodalVectors transversal_directions() const;
   void keep_nodes_on_bodies(NodalChart &positions) const;
+  std::size_t n_rigid() const { return rigid_gauge ? surface.rigid_motions.size() : 0; }
   void renew_gauge();
 
   PositionChart chart   = PositionChart::graph;
@@ -144,6 +148,7 @@ private:
   std::unique_ptr<FieldLayout> mesh_layout;
   std::unique_ptr<Assembler> mesh_assembler;
   std::vector<double> node_areas;
+  bool rigid_gauge = true;
   std::vector<NodalVectors> rigid_directions;
 
   SurfaceState current, trial;

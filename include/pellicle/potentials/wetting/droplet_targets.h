@@ -4,11 +4,19 @@
 #include <pellicle/potentials/wetting/substrate_chart.h>
 
 #include <memory>
+#include <optional>
 
 namespace pellicle
 {
 /** Name of the line where a drop's liquid-gas surface meets the substrate. */
 constexpr const char *contact_line = "contact line";
+
+/** Contact angles in radians between which a contact line sticks; pi and 0: it does so at any angle. */
+struct PinningAngles
+{
+  double advancing = 0.;
+  double receding  = 0.;
+};
 
 /** What the effects of a drop take from its scene, internal units. */
 struct DropletTargets
@@ -21,5 +29,6 @@ struct DropletTargets
   Vector3<double> force_per_bond_number;
   double unit_of_place = 1.; ///< the scene's length in the user's units
   SubstrateChart substrate;
+  std::optional<PinningAngles> pinning; ///< of scenes whose contact line sticks
 };
 } // namespace pellicle
