@@ -4,7 +4,6 @@
 #include <pellicle/models/cell_geometry.h>
 #include <pellicle/models/droplet_measures.h>
 #include <pellicle/models/largest_value.h>
-#include <pellicle/models/line_density.h>
 #include <pellicle/models/line_forces.h>
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_model.h>
@@ -47,17 +46,14 @@ struct Angles
   double mean = 0., smallest = 0., largest = 0.; ///< degrees
 };
 
-/** gamma cos(theta) = tangential pull across the line, per length. */
+/** From gamma cos(theta) = tangential pull across the line, per length. */
 Angles contact_angles(const SurfaceModel &model, const EdgeLoop &line, const double tension)
 {
-  std::map<std::size_t, double> pull;
-  for (const auto &[node, force] : line_forces(model.equilibrium(), line, model.scene_targets().drop().substrate))
-    pull[node] = force.pull;
   Angles angles{0., 180., 0.};
   double length = 0.;
-  for (const LineDensity &at : density_along_line(line, model.positions(), pull))
+  for (const auto &[node, at] : line_forces(model.equilibrium(), line, model.scene_targets().drop().substrate))
   {
-    const double theta = std::acos(std::clamp(at.value / tension, -1., 1.)) * 180. / pi;
+    const double theta = std::acos(std::clamp(at.pull / (tension * at.length), -1., 1.)) * 180. / pi;
     angles.mean += theta * at.length;
     length += at.length;
     angles.smallest = std::min(angles.smallest, theta);

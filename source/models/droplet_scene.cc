@@ -107,6 +107,7 @@ void DropletScene::check_line_pinning() const
                       "Effects, give a Droplet/Contact angle field that holds it, or set Inclination to 0.");
     return;
   }
+  pinning->check();
   if (!has_effect("wetting"))
     throw UserError("The list Effects has 'line pinning' without 'wetting', whose contact angle lies between the "
                     "advancing and the receding one: add 'wetting'.");
@@ -121,9 +122,8 @@ void DropletScene::check_line_pinning() const
   const double advancing = pinning->parameters.advancing_angle, receding = pinning->parameters.receding_angle;
   if (droplet.contact_angle > advancing || droplet.contact_angle < receding)
     throw UserError("Droplet/Contact angle = " + exact_text(droplet.contact_angle) +
-                    " must lie between Line pinning/"
-                    "Receding angle = " +
-                    exact_text(receding) + " and Line pinning/Advancing angle = " + exact_text(advancing) + ".");
+                    " must lie between Line pinning/Receding angle = " + exact_text(receding) +
+                    " and Line pinning/Advancing angle = " + exact_text(advancing) + ".");
 }
 
 // Multiples of 180 degrees leave some round-off in the sine.
