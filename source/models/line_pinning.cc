@@ -65,6 +65,18 @@ void LinePinning::begin_step(const SurfaceProblem &problem)
     node.status = node.settled;
   }
   set_friction();
+  tried.clear();
+  note_statuses();
+}
+
+// Where a node that wants to slip goes the other way once it may, the line is unstable: nothing is gained by going on.
+void LinePinning::note_statuses()
+{
+  std::vector<Status> now;
+  for (const auto &[I, node] : nodes)
+    now.push_back(node.status);
+  if (!tried.insert(now).second)
+    throw SolveError("nodes of the contact line slip and stick in turn without end");
 }
 
 void LinePinning::add_conditions(NodalConditions &conditions) const
@@ -141,7 +153,10 @@ std::size_t LinePinning::update(const SurfaceProblem &problem)
                      "Refinements, separates them unless the hysteresis is too small for this load");
   set_friction();
   if (changes > 0)
+  {
+    note_statuses();
     return changes;
+  }
   for (auto &[I, node] : nodes)
     node.settled = node.status;
   last_equilibrium = x;

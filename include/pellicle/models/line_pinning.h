@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,8 @@ private:
   bool may_slip(const Node &node, Status status) const;
   Status status_of_cell(std::size_t cell) const;
   void set_friction();
+  /** Throws SolveError for statuses that were tried before in this load step. */
+  void note_statuses();
   double dissipated_in_step(const NodalVectors &positions) const;
 
   const EdgeLoop &line;
@@ -81,5 +84,6 @@ private:
   bool settling                               = false; ///< the line moves freely
   std::shared_ptr<LineFrictionState> friction = std::make_shared<LineFrictionState>();
   NodalVectors last_equilibrium;
+  std::set<std::vector<Status>> tried;
 };
 } // namespace pellicle
