@@ -142,9 +142,11 @@ TEST(LinePinning, AdvancingDropsAreThoseOfTheAdvancingAngle)
   drop.scene.substrate.radius = 2.;
   drop.scene.droplet.volume   = pi / 6.;
   LoadSteps run(drop);
+  const double settled = run["solid_liquid_area"];
   run.fill(2. * pi / 3.);
   EXPECT_NEAR(run["contact_radius"], 0.95526847862504, 2e-6); // closed form, two spherical caps
   EXPECT_NEAR(run["contact_angle_degrees"], 120., 1e-7);
+  EXPECT_NEAR(run["pinning_dissipation"], 0.5 * (run["solid_liquid_area"] - settled), 1e-9);
 }
 
 // A hemisphere whose rim is held, with a weight of 0.1 per volume along the plane. First order in the weight:
