@@ -104,6 +104,10 @@ ContactSearch::ContactSearch(SurfaceCells master, const SearchLimits &limits)
     , nodes(cells.cell_nodes.size())
     , boxes(std::make_unique<Boxes>())
 {
+  if (!(limits.distance > 0. && limits.penetration > 0.))
+    throw UserError("The search for contact reaches " + std::to_string(limits.distance) + " outward and " +
+                    std::to_string(limits.penetration) +
+                    " inward; both must be > 0, say half the smallest radius of curvature.");
 }
 
 ContactSearch::~ContactSearch()                         = default;

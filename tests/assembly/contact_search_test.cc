@@ -197,6 +197,12 @@ TEST(ContactSearchTest, ATooDeepStartIsNamed)
   }
 }
 
+TEST(ContactSearchTest, LimitsArePositive)
+{
+  EXPECT_THROW(ContactSearch(surface_cells(box({1., 1., 1.})), {0., 1.}), UserError);
+  EXPECT_THROW(ContactSearch(surface_cells(box({1., 1., 1.})), {1., 0.}), UserError);
+}
+
 // Numbers of nodes are shifted for surfaces that share a vector of positions.
 TEST(ContactSearchTest, SecondSurfaceOfAVector)
 {

@@ -39,6 +39,7 @@ struct ContactPartner
 class ContactSearch
 {
 public:
+  /** Throws UserError unless both limits are positive. Nothing is found before update(). */
   ContactSearch(SurfaceCells master, const SearchLimits &limits);
   ~ContactSearch();
   ContactSearch(ContactSearch &&) noexcept;
