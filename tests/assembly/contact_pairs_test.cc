@@ -123,6 +123,40 @@ TEST(ContactPairsTest, Derivatives)
     }
 }
 
+// Above the ridge of a roof every slave point is closest to the edge between two cells; multipliers keep it active
+// there.
+TEST(ContactPairsTest, DerivativesAboveAnEdge)
+{
+  const TwoSheets sheets(sheet(2, 1,
+                               [](const double u, const double v)
+                               { return Vector3<double>(0.4 + 0.2 * v, 0.2 + 0.6 * u, 0.3 + 0.1 * u * v); }),
+                         sheet(2, 2,
+                               [](const double u, const double v)
+                               { return Vector3<double>(u, v, -std::abs(u - 0.5) - 0.2 * v * v); }),
+                         {});
+  ContactPairs pairs = contact_of(sheets, law(7.));
+  for (unsigned int i = 0; i < 20; ++i)
+  {
+    pairs.evaluate(pressed(sheets, 0.7), Order::value);
+    pairs.augment();
+  }
+  const ContactElements now = pairs.evaluate(sheets.reference, Order::hessian);
+  EXPECT_EQ(now.n_active, 9u);
+  for (const ContactPoint &point : pairs.points())
+    EXPECT_EQ(point.partner->at.n_free(), 1u);
+  const Eigen::VectorXd u = random_vector(sheets.load.size(), 5), product = sheets.matrix(now) * u;
+  double error[2];
+  for (int half = 0; half < 2; ++half)
+  {
+    const double eps  = half == 0 ? 2e-3 : 1e-3;
+    const auto ahead  = pairs.evaluate(moved(sheets.reference, eps, u), Order::gradient);
+    const auto behind = pairs.evaluate(moved(sheets.reference, -eps, u), Order::gradient);
+    error[half]       = ((sheets.gradient(ahead) - sheets.gradient(behind)) / (2. * eps) - product).norm();
+  }
+  EXPECT_NEAR(std::log2(error[0] / error[1]), 2., 0.1);
+  EXPECT_LT(error[1], 1e-3 * product.norm());
+}
+
 // Symmetric with the reference measure and with (135); the skew part of (145) is that of -t N dJ^T alone.
 TEST(ContactPairsTest, SymmetryOfTheTangent)
 {
