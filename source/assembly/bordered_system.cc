@@ -378,6 +378,10 @@ void BorderedSystem::prolongate(const std::vector<double> &u, const double facto
       for (unsigned int c = 0; c < 3; ++c)
         values[3 * I + c] += step * unknowns.charts[field].nodes[I].columns[3 * a + c];
     }
+}
+
+void BorderedSystem::retract(const std::size_t field, NodalVectors &values) const
+{
   for (std::size_t I = 0; I < unknowns.charts[field].on_body.size(); ++I)
     if (const auto &on = unknowns.charts[field].on_body[I])
     {

@@ -169,6 +169,11 @@ void SurfaceModel::update(const SurfaceScene &scene)
 {
   newton                  = scene.newton;
   PotentialSet potentials = potentials_of(scene);
+  own_conditions          = scene.conditions(solved_mesh(), targets);
+  for (const auto &active : active_sets)
+    active->renew(targets);
+  if (active_sets.empty())
+    problem->set_conditions(own_conditions);
   for (const auto &active : active_sets)
     active->add_potentials(potentials);
   problem->set_potentials(std::move(potentials));

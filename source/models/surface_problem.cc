@@ -138,6 +138,18 @@ void SurfaceProblem::set_potentials(PotentialSet potential_set)
 void SurfaceProblem::set_conditions(NodalConditions nodal_conditions)
 {
   conditions = std::move(nodal_conditions);
+  bool moved = false;
+  if (const auto of_position = conditions.find("position"); of_position != conditions.end())
+    for (std::size_t I = 0; I < of_position->second.body.size(); ++I)
+      if (const auto &body = of_position->second.body[I])
+      {
+        const GapSample gap = body->gap(vector_at(current.fields[0], I));
+        moved               = moved || gap.gap != 0.;
+        for (unsigned int c = 0; c < 3; ++c)
+          current.fields[0][3 * I + c] = gap.foot[c];
+      }
+  if (moved)
+    set_state(current);
 }
 
 void SurfaceProblem::set_state(SurfaceState state)
@@ -390,7 +402,10 @@ double SurfaceProblem::try_step(const std::vector<double> &direction, const doub
   try
   {
     for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
+    {
       system->prolongate(direction, is_multiplier(f) ? 1. : length, f, trial.fields[f]);
+      system->retract(f, trial.fields[f]);
+    }
   }
   catch (const SolveError &)
   {

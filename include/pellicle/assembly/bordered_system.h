@@ -94,8 +94,11 @@ public:
 
   /** Multiplies nodal vectors of field f by Z^T. */
   void restrict_vector(std::size_t field, const NodalVectors &vector, std::vector<double> &unknowns) const;
-  /** x_f += factor Z u; unit vectors are normalised afterwards, nodes on bodies go to the closest point. */
+  /** x_f += factor Z u. */
   void prolongate(const std::vector<double> &u, double factor, std::size_t field, NodalVectors &values) const;
+  /** What follows a step: unit vectors are normalised, nodes on bodies go to the closest point. Throws SolveError where
+   * there is none. */
+  void retract(std::size_t field, NodalVectors &values) const;
 
 private:
   void make_pattern(const std::vector<Cell> &cells);

@@ -54,7 +54,8 @@ public:
   const FieldLayout &layout() const { return field_layout; }
   const SurfaceDiscretization &discretization() const { return surface; }
 
-  /** Other conditions of the nodes' positions: they take effect with the next use_chart(). */
+  /** Other conditions of the nodes' positions: they take effect with the next use_chart(). Nodes that are to stay on
+   * bodies go there. */
   void set_conditions(NodalConditions conditions);
   const NodalConditions &nodal_conditions() const { return conditions; }
 
