@@ -6,6 +6,7 @@
 #include <pellicle/models/droplet_start.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pellicle
@@ -19,6 +20,30 @@ double base_of_weight(const DropletScene &scene, const double radius)
   const double weight = per_radius * 4. * pi / 3. * std::pow(radius, 3), pressure = 2. / radius + per_radius * radius;
   return std::min(0.9 * radius, std::sqrt(weight / (pi * pressure)));
 }
+/** Outline (r, z) of a flattened drop: flat above and below with radius a, half circles between the plates 0 and h. */
+struct Pancake
+{
+  double a = 0., h = 1.;
+
+  double volume() const { return pi * h * (a * a + 0.5 * pi * a * 0.5 * h + h * h / 6.); }
+  static Pancake of_volume(const double volume, const double h)
+  {
+    // Quadratic equation for a.
+    const double p = pi * h / 8., q = h * h / 6. - volume / (pi * h);
+    return {-p + std::sqrt(p * p - q), h};
+  }
+  /** At a fraction t of the outline's length, from the top. */
+  std::array<double, 2> at(const double t) const
+  {
+    const double side = 0.5 * pi * h, s = t * (2. * a + side);
+    if (s <= a)
+      return {{s, h}};
+    if (s >= a + side)
+      return {{std::max(0., 2. * a + side - s), 0.}};
+    const double angle = (s - a) / (0.5 * h);
+    return {{a + 0.5 * h * std::sin(angle), 0.5 * h * (1. + std::cos(angle))}};
+  }
+};
 } // namespace
 
 SurfaceDiscretization sphere_of_volume(const DropletScene &scene, const double volume)
@@ -36,6 +61,22 @@ SurfaceDiscretization resting_sphere(const DropletScene &scene)
 {
   SurfaceDiscretization surface = sphere_of_volume(scene, scene.droplet.volume);
   const double R                = std::cbrt(3. * scene.droplet.volume / (4. * pi));
+  if (scene.substrate.plate_distance < 2. * R && scene.has_effect("liquid surface"))
+  {
+    const Pancake outline = Pancake::of_volume(scene.droplet.volume, scene.substrate.plate_distance);
+    for (std::size_t I = 0; I < surface.n_nodes; ++I)
+    {
+      double *const x      = surface.positions.data() + 3 * I;
+      const double rho     = std::hypot(x[0], x[1]);
+      const auto [r, z]    = outline.at(std::atan2(rho, x[2]) / pi);
+      const double stretch = rho > 0. ? r / rho : 0.;
+      x[0] *= stretch;
+      x[1] *= stretch;
+      x[2] = z;
+    }
+    surface.mesh_reference = surface.positions;
+    return surface;
+  }
   const double base = scene.has_effect("liquid surface") && scene.has_effect("gravity") ? base_of_weight(scene, R) : 0.;
   const double centre = std::sqrt(R * R - base * base), upper = scene.substrate.plate_distance;
   for (std::size_t I = 0; I < surface.n_nodes; ++I)
