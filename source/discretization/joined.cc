@@ -2,85 +2,86 @@
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/joined.h>
 
-#include <cmath>
-#include <limits>
-#include <vector>
+#include <algorithm>
+#include <utility>
 
 namespace pellicle
 {
 namespace
 {
-constexpr double same_place = 1e-8; // relative to the distance from the origin of coordinates
-
-/** Numbers of the lower surface's nodes in the joined one: those on the rim are the upper surface's. */
-std::vector<std::size_t> numbers_of_lower(const SurfaceDiscretization &upper, const SurfaceDiscretization &lower)
+void append(std::vector<std::size_t> &list, const std::vector<std::size_t> &more, const std::size_t shift)
 {
-  constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> number(lower.n_nodes, unknown);
-  for (const std::size_t node : lower.edges.front().cell_nodes)
-  {
-    double best = std::numeric_limits<double>::infinity(), size = 0.;
-    for (const std::size_t candidate : upper.edges.front().cell_nodes)
-    {
-      double distance = 0.;
-      for (unsigned int c = 0; c < 3; ++c)
-        distance += std::pow(upper.positions[3 * candidate + c] - lower.positions[3 * node + c], 2);
-      if (distance < best)
-      {
-        best         = distance;
-        number[node] = candidate;
-      }
-    }
-    for (unsigned int c = 0; c < 3; ++c)
-      size += std::pow(lower.positions[3 * node + c], 2);
-    PELLICLE_ASSERT(std::sqrt(best) <= same_place * std::sqrt(size), "the rims of two surfaces do not match");
-  }
-  std::size_t next = upper.n_nodes;
-  for (std::size_t &n : number)
-    if (n == unknown)
-      n = next++;
-  return number;
+  for (const std::size_t node : more)
+    list.push_back(shift + node);
 }
 
-/** Local node at the place of local node i after the cell's orientation was turned round. */
-std::size_t turned_round(const SurfaceDiscretization &surface, const std::size_t i)
+void shift(std::vector<std::size_t> &list, const std::size_t by)
 {
-  const std::size_t n = surface.degree + 1;
-  return surface.kind == SurfaceDiscretization::Kind::meridian ? n - 1 - i : (i % n) * n + i / n;
+  for (std::size_t &node : list)
+    node += by;
+}
+
+template <typename Part>
+void check_name(const std::vector<Part> &parts, const std::string &name)
+{
+  if (std::any_of(parts.begin(), parts.end(), [&](const Part &part) { return part.name == name; }))
+    throw UserError("Two parts of a scene are named \"" + name + "\". Give one of them another name.");
 }
 } // namespace
 
-SurfaceDiscretization joined(const SurfaceDiscretization &upper, const SurfaceDiscretization &lower,
-                             const std::string &upper_name, const std::string &lower_name)
+SurfaceDiscretization joined(const SurfaceDiscretization &first, const SurfaceDiscretization &second,
+                             const std::array<std::string, 2> &regions)
 {
-  PELLICLE_ASSERT(upper.edges.size() == 1 && lower.edges.size() == 1 && upper.degree == lower.degree &&
-                      upper.kind == lower.kind,
-                  "two open surfaces of one kind with one rim each");
-  const bool meridian                   = upper.kind == SurfaceDiscretization::Kind::meridian;
-  SurfaceDiscretization result          = upper;
-  const std::vector<std::size_t> number = numbers_of_lower(upper, lower);
-  for (std::size_t I = 0; I < lower.n_nodes; ++I)
-    if (number[I] >= upper.n_nodes)
-    {
-      result.positions.insert(result.positions.end(), lower.positions.begin() + 3 * static_cast<std::ptrdiff_t>(I),
-                              lower.positions.begin() + 3 * static_cast<std::ptrdiff_t>(I) + 3);
-      if (!upper.admissible.empty())
-        result.admissible.push_back(lower.admissible[I]);
-    }
-  result.n_nodes = result.positions.size() / 3;
-  for (std::size_t c = 0; c < lower.n_cells; ++c)
+  if (first.kind != second.kind || first.degree != second.degree)
+    throw UserError("Parts of one scene must both be axial or both not, and of one degree; the degrees are " +
+                    std::to_string(first.degree) + " and " + std::to_string(second.degree) + ".");
+  PELLICLE_ASSERT(first.region_names.empty() && second.region_names.empty() && first.mirror == second.mirror,
+                  "parts with regions cannot be joined");
+  SurfaceDiscretization result = first;
+  const std::size_t n = first.n_nodes, n_cells = first.n_cells;
+  result.n_nodes += second.n_nodes;
+  result.n_cells += second.n_cells;
+  append(result.cell_nodes, second.cell_nodes, n);
+  result.positions.insert(result.positions.end(), second.positions.begin(), second.positions.end());
+  result.mesh_reference.insert(result.mesh_reference.end(), second.mesh_reference.begin(), second.mesh_reference.end());
+  result.admissible.resize(n);
+  if (second.admissible.empty())
+    result.admissible.resize(result.n_nodes);
+  else
+    result.admissible.insert(result.admissible.end(), second.admissible.begin(), second.admissible.end());
+  result.rigid_motions.clear();
+  for (EdgeLoop loop : second.edges)
   {
-    // A meridian goes on where the upper one ends.
-    const std::size_t cell = meridian ? lower.n_cells - 1 - c : c;
-    for (std::size_t i = 0; i < lower.n_local(); ++i)
-      result.cell_nodes.push_back(number[lower.cell_nodes[cell * lower.n_local() + turned_round(lower, i)]]);
+    check_name(first.edges, loop.name);
+    shift(loop.cell_nodes, n);
+    for (CellSide &side : loop.sides)
+      side.cell += n_cells;
+    result.edges.push_back(std::move(loop));
   }
-  result.n_cells = upper.n_cells + lower.n_cells;
-  result.cell_region.assign(upper.n_cells, 0);
-  result.cell_region.resize(result.n_cells, 1);
-  result.region_names         = {upper_name, lower_name};
-  result.edges.front().is_rim = false;
-  result.mesh_reference       = result.positions;
+  for (BulkPart body : second.bulks)
+  {
+    check_name(first.bulks, body.name);
+    shift(body.cell_nodes, n);
+    for (auto &[name, nodes] : body.faces)
+      shift(nodes, n);
+    result.bulks.push_back(std::move(body));
+  }
+  for (const auto &[copy, original] : second.twins)
+    result.twins.emplace_back(copy + n, original + n);
+  if (n_cells > 0 && second.n_cells > 0)
+  {
+    result.region_names = {regions[0], regions[1]};
+    result.cell_region.assign(n_cells, 0);
+    result.cell_region.resize(result.n_cells, 1);
+  }
   return result;
+}
+
+SurfaceDiscretization without_surface(SurfaceDiscretization discretization)
+{
+  discretization.n_cells = 0;
+  discretization.cell_nodes.clear();
+  discretization.edges.clear();
+  return discretization;
 }
 } // namespace pellicle

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Start shapes of drops and balloons whose whole surface is there: closed surfaces that touch bodies.
 #include <pellicle/discretization/builders.h>
-#include <pellicle/discretization/joined.h>
+#include <pellicle/discretization/closed_at_rim.h>
 #include <pellicle/discretization/start_shapes.h>
 #include <pellicle/models/droplet_start.h>
 
@@ -95,6 +95,6 @@ SurfaceDiscretization cap_with_base(const DropletScene &scene)
   const double rim                  = std::hypot(upper.positions[3 * on_rim], upper.positions[3 * on_rim + 1]);
   const SurfaceDiscretization lower =
       disc(pi * rim * rim, upper.degree, static_cast<unsigned int>(scene.mesh.refinements), axial);
-  return joined(upper, lower, liquid_gas_region, base_region);
+  return closed_at_rim(upper, lower, liquid_gas_region, base_region);
 }
 } // namespace pellicle

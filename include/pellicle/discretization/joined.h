@@ -3,16 +3,21 @@
 
 #include <pellicle/discretization/surface_discretization.h>
 
+#include <array>
 #include <string>
 
 namespace pellicle
 {
 /**
- * The closed surface made of two open ones with one rim each at the same place, for example a cap and the disc below
- * it. Normals of `lower`, which point to the same side as those of `upper` there, are turned round. Nodes of `upper`
- * keep their numbers; its rim becomes an inner line (is_rim false) that keeps its name. Regions: 0 `upper_name`, 1
- * `lower_name`. On meridians `upper` comes first and `lower` is run through from its rim to the axis.
+ * Two discretizations of one kind and degree as one, which share no node: a drop and a block to put it on. Nodes,
+ * cells, edge loops and bodies of the second come after those of the first. Surfaces with cells on both sides become
+ * regions of the given names. Rigid motions are left out: neither part moves freely when they are held by each other.
+ *
+ * Throws UserError for different kinds or degrees, and for edge loops or bodies of the same name.
  */
-SurfaceDiscretization joined(const SurfaceDiscretization &upper, const SurfaceDiscretization &lower,
-                             const std::string &upper_name, const std::string &lower_name);
+SurfaceDiscretization joined(const SurfaceDiscretization &first, const SurfaceDiscretization &second,
+                             const std::array<std::string, 2> &regions);
+
+/** The bodies alone, whose surface is looked after by somebody else (contact, another surface on the same nodes). */
+SurfaceDiscretization without_surface(SurfaceDiscretization discretization);
 } // namespace pellicle
