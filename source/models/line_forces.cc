@@ -9,13 +9,13 @@ namespace pellicle
 {
 namespace
 {
-/** The liquid's part of the lists: without what belongs to the line alone. */
+/** The liquid's part of the lists: without what belongs to the substrate or the line. */
 PotentialSet of_the_liquid(const PotentialSet &all)
 {
   PotentialSet liquid = all;
   liquid.energies.clear();
   for (const auto &energy : all.energies)
-    if (energy->where().part != Where::Part::edge || energy->name() == "gravity")
+    if (energy->name() == "liquid surface" || energy->name() == "gravity" || energy->name() == "pressure")
       liquid.energies.push_back(energy);
   return liquid;
 }

@@ -252,6 +252,12 @@ TEST(LinePinning, Refusals)
   refuses("Contact angle = 120 must lie between", [](Drop &drop) { drop.scene.droplet.contact_angle = 120.; });
   refuses("Contact angle = 50 must lie between", [](Drop &drop) { drop.scene.droplet.contact_angle = 50.; });
   refuses("must be below Line pinning/Advancing angle = 60", [](Drop &drop) { drop.pinning().advancing_angle = 60.; });
+  refuses("Droplet/Base = membrane with 'line pinning'",
+          [](Drop &drop)
+          {
+            drop.scene.droplet.base = "membrane";
+            drop.scene.effects.push_back(droplet_effects().create("contact"));
+          });
   refuses("Contact angle field", [](Drop &drop) { drop.scene.droplet.angle_field = "90 + x"; });
   refuses("Use section Load", [](Drop &drop) { drop.scene.branch.parameter = "Droplet/Volume"; });
   refuses("add 'wetting'", [](Drop &drop) { drop.scene.effects.erase(drop.scene.effects.begin() + 2); });
