@@ -4,7 +4,9 @@
 #include <pellicle/models/droplet_measures.h>
 #include <pellicle/models/droplet_scene.h>
 #include <pellicle/models/droplet_start.h>
+#include <pellicle/models/line_pinning.h>
 #include <pellicle/models/nodal_contact.h>
+#include <pellicle/potentials/wetting/line_pinning.h>
 
 #include <cmath>
 
@@ -104,7 +106,7 @@ void DropletScene::check() const
   if (!has_effect("gravity") && droplet.bond_number != 0.)
     throw UserError("Droplet/Bond number = " + exact_text(droplet.bond_number) +
                     " has no effect in this scene: add 'gravity' to Effects.");
-  if (axial && has_effect("gravity") && std::sin(droplet.inclination * degree) != 0.)
+  if (axial && has_effect("gravity") && !is_level())
     throw UserError(
         "Droplet/Inclination = " + exact_text(droplet.inclination) +
         " with Mesh/Symmetry = axial: on an inclined substrate the drop is not axisymmetric. Set Symmetry to "
@@ -117,7 +119,50 @@ void DropletScene::check() const
   }
   if (substrate.shape == "height field" && axial)
     check_axisymmetric("Substrate/Height", ExpressionOfPlace(substrate.height), own_length());
+  check_line_pinning();
   SurfaceScene::check();
+}
+
+void DropletScene::check_line_pinning() const
+{
+  const auto *pinning = find<LinePinningEffect>();
+  if (pinning == nullptr)
+  {
+    if (is_pulled_along() && substrate.shape == "plane" && droplet.angle_field.empty())
+      throw UserError("Droplet/Inclination = " + exact_text(droplet.inclination) +
+                      " with Droplet/Bond number = " + exact_text(droplet.bond_number) +
+                      ": nothing holds the drop on the inclined plane, it has no equilibrium. Add 'line pinning' to "
+                      "Effects, give a Droplet/Contact angle field that holds it, or set Inclination to 0.");
+    return;
+  }
+  pinning->check();
+  if (!has_effect("wetting"))
+    throw UserError("The list Effects has 'line pinning' without 'wetting', whose contact angle lies between the "
+                    "advancing and the receding one: add 'wetting'.");
+  if (!droplet.angle_field.empty())
+    throw UserError("Droplet/Contact angle field = " + droplet.angle_field +
+                    " with 'line pinning' is not possible: advancing and receding angles are the same everywhere. "
+                    "Remove one of the two.");
+  if (!branch.parameter.empty())
+    throw UserError("Continuation/Parameter = " + branch.parameter +
+                    " with 'line pinning' is not possible: what the line has dissipated does not come back along a "
+                    "branch. Use section Load.");
+  const double advancing = pinning->parameters.advancing_angle, receding = pinning->parameters.receding_angle;
+  if (droplet.contact_angle > advancing || droplet.contact_angle < receding)
+    throw UserError("Droplet/Contact angle = " + exact_text(droplet.contact_angle) +
+                    " must lie between Line pinning/Receding angle = " + exact_text(receding) +
+                    " and Line pinning/Advancing angle = " + exact_text(advancing) + ".");
+}
+
+// Multiples of 180 degrees leave some round-off in the sine.
+bool DropletScene::is_level() const
+{
+  return std::abs(std::sin(droplet.inclination * degree)) < 1e-14;
+}
+
+bool DropletScene::is_pulled_along() const
+{
+  return has_effect("gravity") && droplet.bond_number != 0. && !is_level();
 }
 
 bool DropletScene::is_fixed(const std::string &parameter) const
@@ -145,7 +190,7 @@ void DropletScene::set_targets(const Scales &scales, SceneTargets &targets) cons
     drop.contact_angle_field = std::make_shared<ExpressionOfPlace>(droplet.angle_field, scales.length);
   const double radius = own_length() / scales.length, a = droplet.inclination * degree;
   drop.force_per_bond_number =
-      drop.surface_tension / (radius * radius) * Vector3<double>(std::sin(a), 0., -std::cos(a));
+      drop.surface_tension / (radius * radius) * Vector3<double>(is_level() ? 0. : std::sin(a), 0., -std::cos(a));
   drop.body_force        = droplet.bond_number * drop.force_per_bond_number;
   drop.unit_of_place     = scales.length;
   drop.has_base_membrane = !is_cap_only() && has_line();
@@ -199,6 +244,9 @@ std::vector<std::unique_ptr<ActiveSet>> DropletScene::active_sets(const SurfaceD
                                                                   const SceneTargets &targets) const
 {
   std::vector<std::unique_ptr<ActiveSet>> list;
+  if (targets.drop().pinning)
+    for (const EdgeLoop &loop : surface.edges)
+      list.push_back(std::make_unique<LinePinning>(loop, targets));
   if (!has_effect("contact"))
     return list;
   std::vector<bool> on_line(surface.n_nodes, false);
@@ -214,9 +262,7 @@ std::vector<RigidMotion> DropletScene::free_motions() const
 {
   if (mesh.symmetry == "axial" || !droplet.angle_field.empty() || substrate.shape == "height field")
     return {};
-  const bool inclined =
-      has_effect("gravity") && droplet.bond_number != 0. && std::sin(droplet.inclination * degree) != 0.;
-  if (inclined)
+  if (is_pulled_along())
     return {};
   std::vector<RigidMotion> motions{{{}, {{0., 0., 1.}}}};
   if (substrate.shape == "plane")

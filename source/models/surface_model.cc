@@ -78,7 +78,10 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
   own_conditions = scene.conditions(solved_mesh(), targets);
   active_sets    = scene.active_sets(solved_mesh(), targets);
   for (const auto &active : active_sets)
+  {
+    active->take(targets);
     active->add_potentials(potentials);
+  }
   const NodalConditions &conditions = own_conditions;
   // Held rims fix the surface in space; there are no rigid motions left.
   if (const auto position = conditions.find("position"); position != conditions.end() && !position->second.only.empty())
@@ -189,12 +192,13 @@ void SurfaceModel::update(const SurfaceScene &scene)
   newton                  = scene.newton;
   PotentialSet potentials = potentials_of(scene);
   own_conditions          = scene.conditions(solved_mesh(), targets);
-  for (const auto &active : active_sets)
-    active->renew(targets);
   if (active_sets.empty())
     problem->set_conditions(own_conditions);
   for (const auto &active : active_sets)
+  {
+    active->take(targets);
     active->add_potentials(potentials);
+  }
   problem->set_potentials(std::move(potentials));
 }
 
@@ -260,12 +264,38 @@ StepResult SurfaceModel::solve(const int step, Observer &observer)
 void SurfaceModel::apply_active_sets()
 {
   NodalConditions conditions = own_conditions;
+  SurfaceState state         = problem->state();
+  bool rigid_gauge           = true;
   for (const auto &active : active_sets)
+  {
     active->add_conditions(conditions);
+    active->place(state.fields[0]);
+    rigid_gauge = rigid_gauge && active->leaves_rigid_motions();
+  }
+  problem->set_rigid_gauge(rigid_gauge);
+  problem->set_state(std::move(state)); // energies of potentials that know the statuses are others now
   problem->set_conditions(std::move(conditions));
 }
 
-bool SurfaceModel::solve_with_active_sets(EquilibriumSearch &search)
+void SurfaceModel::solve_with_active_sets(EquilibriumSearch &search)
+{
+  try
+  {
+    if (settle_active_sets(search))
+      return;
+  }
+  catch (const SolveError &error)
+  {
+    search.fail(error.what());
+  }
+  std::string reason = search.result().failure;
+  for (const auto &active : active_sets)
+    if (const std::string more = active->about_failure(); !more.empty())
+      reason = more + " (" + reason + ")";
+  search.fail(reason);
+}
+
+bool SurfaceModel::settle_active_sets(EquilibriumSearch &search)
 {
   constexpr int most_rounds = 60;
   for (const auto &active : active_sets)

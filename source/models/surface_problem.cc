@@ -166,8 +166,8 @@ void SurfaceProblem::set_state(SurfaceState state)
 void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors &mesh_reference)
 {
   // Reactions of another chart balance other forces.
-  if (chart != new_chart || current.rigid_reactions.size() != surface.rigid_motions.size())
-    current.rigid_reactions.assign(surface.rigid_motions.size(), 0.);
+  if (chart != new_chart || current.rigid_reactions.size() != n_rigid())
+    current.rigid_reactions.assign(n_rigid(), 0.);
   chart               = new_chart;
   const bool all_free = std::find(material.begin(), material.end(), false) == material.end();
   if (chart != PositionChart::material && !all_free && needs_material_chart())
@@ -182,8 +182,8 @@ void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors
                                                  Assembler::everything(mesh_set, *mesh_layout));
   }
 
-  system = std::make_unique<BorderedSystem>(
-      surface, Numbering(charts_here(), set.constraints.size(), surface.rigid_motions.size()), communicator);
+  system = std::make_unique<BorderedSystem>(surface, Numbering(charts_here(), set.constraints.size(), n_rigid()),
+                                            communicator);
   renew_gauge();
 }
 
@@ -234,7 +234,7 @@ void SurfaceProblem::keep_nodes_on_bodies(NodalChart &positions) const
 void SurfaceProblem::renew_gauge()
 {
   node_areas       = nodal_weights(surface, current.fields[0]);
-  rigid_directions = weighted_rigid_motions(surface, current.fields[0]);
+  rigid_directions = rigid_gauge ? weighted_rigid_motions(surface, current.fields[0]) : std::vector<NodalVectors>();
   moved_in_chart   = 0.;
 }
 

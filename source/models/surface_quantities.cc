@@ -24,6 +24,8 @@ std::string energy_quantity(const std::string &potential)
     return "bending_energy";
   if (potential == "gaussian curvature")
     return "gaussian_energy";
+  if (potential == "line pinning")
+    return "pinning_dissipation";
   std::string name = potential + "_energy";
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;

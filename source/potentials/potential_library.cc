@@ -17,6 +17,7 @@
 #include <pellicle/potentials/energies/surface_tension.h>
 #include <pellicle/potentials/energies/tu_ou_yang_skin.h>
 #include <pellicle/potentials/potential_library.h>
+#include <pellicle/potentials/wetting/line_pinning.h>
 #include <pellicle/potentials/wetting/wetting.h>
 
 #include <cctype>
@@ -52,6 +53,7 @@ EffectLibrary droplet_effects()
   library.add("wetting", [] { return std::make_unique<WettingEffect>(); });
   library.add("gravity", [] { return std::make_unique<GravityEffect>(); });
   library.add("contact", [] { return std::make_unique<ContactEffect>(); });
+  library.add("line pinning", [] { return std::make_unique<LinePinningEffect>(); });
   library.add("line tension", [] { return std::make_unique<LineTensionEffect>(); });
   library.add("pressure", [] { return std::make_unique<PressureEffect>(); });
   library.add(NeoHookeanSkin::name, [] { return std::make_unique<SkinEffect<NeoHookeanSkin>>(); });

@@ -13,9 +13,10 @@ struct ContactLineMeasures
 };
 
 /**
- * Of the contact line of the given name. gamma cos(theta) is the force across the line, tangential to the body, with
- * which liquid-gas surface and liquid pull at it. It converges at twice the order of the angle between the surfaces,
- * and on lines that are free to move it is the wetting's angle exactly.
+ * gamma cos(theta) is the tangential force with which the liquid-gas surface and the liquid pull at a node of the line,
+ * over the wetted area that moving it would gain (line_forces.h). It converges faster than the angle between the
+ * surfaces, and where the line is free to move it is the wetting's angle exactly, where it slips with friction the
+ * advancing or receding one.
  */
 ContactLineMeasures measure_contact_line(const SurfaceModel &model, const EdgeLoop &line);
 } // namespace pellicle

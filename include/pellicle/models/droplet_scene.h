@@ -42,6 +42,7 @@ public:
   std::vector<SceneEdge> edges() const override;
   NodalConditions conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const override;
   std::optional<NodalVectors> reference_positions() const override;
+  /** Of line pinning and contact. */
   std::vector<std::unique_ptr<ActiveSet>> active_sets(const SurfaceDiscretization &surface,
                                                       const SceneTargets &targets) const override;
   SurfaceMeasures measures(const Scales &scales) const override;
@@ -57,6 +58,11 @@ private:
   bool has_two_plates() const;
   bool is_cap_only() const { return droplet.base == "eliminated"; }
   bool has_line() const;
+  void check_line_pinning() const;
+  /** Whether gravity is normal to the substrate at the origin. */
+  bool is_level() const;
+  /** Whether the drop's weight has a part along the substrate at the origin. */
+  bool is_pulled_along() const;
   std::vector<RigidMotion> free_motions() const;
 };
 

@@ -115,8 +115,10 @@ private:
   void take_from_mesh(const SurfaceScene &scene);
   PotentialSet potentials_of(const SurfaceScene &scene);
   void look_at_stability(EquilibriumSearch &search);
+  /** An equilibrium of the active sets; why there is none, as far as they know, is the search's failure. */
+  void solve_with_active_sets(EquilibriumSearch &search);
   /** Equilibria in turn with updates of the active sets, until no status changes. */
-  bool solve_with_active_sets(EquilibriumSearch &search);
+  bool settle_active_sets(EquilibriumSearch &search);
   void apply_active_sets();
   void count_unknowns();
 

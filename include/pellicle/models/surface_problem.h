@@ -61,6 +61,9 @@ public:
    * bodies go there. */
   void set_conditions(NodalConditions conditions);
   const NodalConditions &nodal_conditions() const { return conditions; }
+  /** Whether the discretization's rigid motions are a gauge (the default): not if something holds the surface in space.
+   * It takes effect with the next use_chart(). */
+  void set_rigid_gauge(const bool wanted) { rigid_gauge = wanted; }
 
   /** Terms that couple cells that meet; none to begin with. They take effect with the next use_chart(). Throws
    * SolveError with the term's name where they make no sense at the present state. */
@@ -150,6 +153,7 @@ private:
   NodalVectors transversal_directions() const;
   void keep_nodes_on_bodies(NodalChart &positions) const;
   void find_material_nodes();
+  std::size_t n_rigid() const { return rigid_gauge ? surface.rigid_motions.size() : 0; }
   void renew_gauge();
 
   std::shared_ptr<PairTerms> pair_terms;
@@ -163,6 +167,7 @@ private:
   std::unique_ptr<FieldLayout> mesh_layout;
   std::unique_ptr<Assembler> mesh_assembler;
   std::vector<double> node_areas;
+  bool rigid_gauge = true;
   std::vector<NodalVectors> rigid_directions;
 
   SurfaceState current, trial;

@@ -5,6 +5,7 @@
 #include <pellicle/potentials/wetting/substrate_chart.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,13 @@ struct WettedBase
   SubstrateChart chart;
 };
 
+/** Contact angles in radians between which a contact line sticks; pi and 0: it does so at any angle. */
+struct PinningAngles
+{
+  double advancing = 0.;
+  double receding  = 0.;
+};
+
 /** What the effects of a drop take from its scene, internal units. */
 struct DropletTargets
 {
@@ -37,5 +45,14 @@ struct DropletTargets
   std::vector<WettedBase> bases;
   bool has_base_membrane = false; ///< the wetted base is a region of the surface
   std::vector<std::shared_ptr<const RigidBody>> bodies;
+  std::optional<PinningAngles> pinning; ///< of scenes whose contact line sticks
+  /** Of the base with the given line; the plane z = 0 if that base is a membrane. */
+  SubstrateChart chart_of(const std::string &line) const
+  {
+    for (const WettedBase &base : bases)
+      if (base.line == line)
+        return base.chart;
+    return PlaneChart{};
+  }
 };
 } // namespace pellicle
