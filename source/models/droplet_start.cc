@@ -6,6 +6,7 @@
 #include <pellicle/kinematics/find_kink.h>
 #include <pellicle/models/droplet_start.h>
 
+#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
@@ -37,6 +38,25 @@ double volume_over_disc(const double a)
   return std::abs(a) < 1e-4 ? pi / 4. * a : cap_volume(a) / std::pow(std::abs(std::sin(a)), 3);
 }
 
+/** Gravity spreads or draws up a drop: polar angle of the rim of the cap on a plane with the least energy among the
+ * spherical caps of its volume (Ritz's method with one unknown). Within 2% of the contact radius up to Bond number 1. */
+double settled_angle(const DropletParameters &droplet)
+{
+  const double theta = droplet.contact_angle * degree;
+  const double bond  = droplet.bond_number * std::cos(droplet.inclination * degree);
+  if (bond == 0.)
+    return theta;
+  const double volume = 4. * pi / 3.; // R_eq = 1, gamma = 1
+  const auto energy   = [&](const double a)
+  {
+    const double radius = std::cbrt(volume / cap_volume(a)), base = radius * std::sin(a);
+    const double height = radius * (1. - std::cos(a));
+    const double centre = height * (4. * radius - height) / (4. * (3. * radius - height)); // of mass, above the plane
+    return 2. * pi * radius * height - std::cos(theta) * pi * base * base + bond * volume * centre;
+  };
+  return boost::math::tools::brent_find_minima(energy, 0.1 * std::min(theta, steepest), steepest, 20).first;
+}
+
 StartCap on_plane(const double volume, const double angle)
 {
   const double a      = std::min(angle, steepest);
@@ -51,7 +71,8 @@ StartCap on_sphere(const double volume, const double angle, const double R, cons
   const auto rim_angle = [&](const double b) { return std::min(angle + s * b, steepest); };
   const auto volume_at = [&](const double b)
   { return std::pow(R * std::sin(b), 3) * volume_over_disc(rim_angle(b)) - s * R * R * R * cap_volume(b); };
-  const double most = largest_covered_angle;
+  // Outside, the cap opens with the base until it wraps around the sphere.
+  const double most = s > 0. ? std::max(steepest - angle, 0.5 * pi) : largest_covered_angle;
   if (volume > volume_at(most))
     throw UserError("Droplet/Volume = " + exact_text(volume) +
                     " does not fit: " + (s > 0. ? "the drop would wrap around" : "the drop would fill") +
@@ -63,7 +84,7 @@ StartCap on_sphere(const double volume, const double angle, const double R, cons
                                                          boost::math::tools::eps_tolerance<double>(48), iterations);
   const double b = 0.5 * (bracket.first + bracket.second), a = rim_angle(b), rim = R * std::sin(b);
   const double rim_height = -s * R * (1. - std::cos(b));
-  if (a < flattest)
+  if (std::abs(a) < flattest)
     return {0., pi * rim * rim, rim_height};
   const double radius = rim / std::sin(a);
   return {a, 2. * pi * radius * radius * (1. - std::cos(a)), rim_height};
@@ -105,7 +126,7 @@ void check_smooth_along(const EdgeLoop &rim, const SurfaceDiscretization &mesh, 
 
 StartCap start_cap(const DropletParameters &droplet, const SubstrateParameters &substrate)
 {
-  const double angle = droplet.contact_angle * degree;
+  const double angle = settled_angle(droplet);
   if (substrate.shape == "sphere")
     return on_sphere(droplet.volume, angle, substrate.radius, substrate.side == "outside" ? 1. : -1.);
   return on_plane(droplet.volume, angle);
@@ -116,8 +137,9 @@ SurfaceDiscretization droplet_cap(const DropletScene &scene)
   const StartCap shape = start_cap(scene.droplet, scene.substrate);
   const auto k = static_cast<unsigned int>(scene.mesh.degree), r = static_cast<unsigned int>(scene.mesh.refinements);
   const bool axial = scene.mesh.symmetry == "axial";
+  const double angle = std::abs(shape.rim_angle);
   SurfaceDiscretization surface =
-      shape.rim_angle > 0. ? cap(shape.rim_angle, shape.area, k, r, axial, crowding) : disc(shape.area, k, r, axial);
+      angle > 0. ? cap(angle, shape.area, k, r, axial, crowding) : disc(shape.area, k, r, axial);
   EdgeLoop &rim             = surface.edges.front();
   rim.name                  = contact_line;
   const Substrate substrate = make_substrate(scene.substrate, 1.);
@@ -127,6 +149,7 @@ SurfaceDiscretization droplet_cap(const DropletScene &scene)
   for (std::size_t I = 0; I < surface.n_nodes; ++I)
   {
     double *const x = surface.positions.data() + 3 * I;
+    x[2] = std::copysign(x[2], shape.rim_angle); // a mirrored cap has its normal on the gas's side, too
     x[2] += shape.rim_height + (field != nullptr ? field->height->at(x[0], x[1]).value : 0.);
   }
   for (const std::size_t node : rim.cell_nodes)

@@ -94,6 +94,8 @@ public:
 
   /** Multiplies nodal vectors of field f by Z^T. */
   void restrict_vector(std::size_t field, const NodalVectors &vector, std::vector<double> &unknowns) const;
+  /** values += factor Z u: displacements of nodes, to first order where these stay on bodies or the unit sphere. */
+  void add_columns(const std::vector<double> &u, double factor, std::size_t field, NodalVectors &values) const;
   /** x_f += factor Z u; unit vectors are normalised afterwards, nodes on bodies go to the closest point. */
   void prolongate(const std::vector<double> &u, double factor, std::size_t field, NodalVectors &values) const;
 
