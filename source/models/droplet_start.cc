@@ -24,9 +24,9 @@ constexpr double steepest = 175. * degree; // polar angle of the rim of a start 
 // that are lost between 90 and 150 degrees.
 constexpr double crowding = 0.2;
 // Where gravity flattens the drop, it is most curved near the line: per radian by which the start cap is too flat
-// there. Gives back the factor of 20 in the contact radius that the flat start costs at 150 degrees and Bond number
-// 0.63.
-constexpr double crowding_under_gravity = 2.;
+// there. Gives back most of the factor of 20 in the contact radius that the flat start costs at 150 degrees and Bond
+// number 0.63.
+constexpr double crowding_under_gravity = 1.;
 constexpr double flattest               = 2. * degree; // below it the start is a disc
 constexpr double largest_covered_angle  = 0.98 * pi;   // of a sphere by the base
 
