@@ -4,6 +4,7 @@
 #include <pellicle/models/droplet_measures.h>
 #include <pellicle/models/droplet_scene.h>
 #include <pellicle/models/droplet_start.h>
+#include <pellicle/models/free_motions.h>
 
 #include <cmath>
 
@@ -145,8 +146,14 @@ NodalConditions DropletScene::conditions(const SurfaceDiscretization &surface, c
 // Motions of the whole drop over its substrate that cost no energy: they are a gauge.
 std::vector<RigidMotion> DropletScene::free_motions() const
 {
-  if (mesh.symmetry == "axial" || !droplet.angle_field.empty() || substrate.shape == "height field")
+  if (mesh.symmetry == "axial" || !droplet.angle_field.empty())
     return {};
+  if (substrate.shape == "height field")
+  {
+    const double a = droplet.inclination * degree, weight = has_effect("gravity") ? droplet.bond_number : 0.;
+    return free_motions_over(ExpressionOfPlace(substrate.height, own_length(), own_length()), 1.,
+                             weight * Vector3<double>(std::sin(a), 0., -std::cos(a)));
+  }
   const bool inclined =
       has_effect("gravity") && droplet.bond_number != 0. && std::sin(droplet.inclination * degree) != 0.;
   if (inclined)
