@@ -420,10 +420,7 @@ double SurfaceProblem::try_step(const std::vector<double> &direction, const doub
   try
   {
     for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
-    {
       system->prolongate(direction, is_multiplier(f) ? 1. : length, f, trial.fields[f]);
-      system->retract(f, trial.fields[f]);
-    }
   }
   catch (const SolveError &)
   {
