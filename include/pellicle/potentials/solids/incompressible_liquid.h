@@ -25,11 +25,14 @@ struct IncompressibleLiquid
   static constexpr bool reparametrisation_invariant = false;
 
   std::shared_ptr<const std::vector<ReferenceBasis>> reference; ///< by PointData::index
+  double compliance = 0.; ///< 1/K
 
   template <typename Number>
   Number density(const PointInputs<Number, 2> &inputs, const PointData &data) const
   {
-    return inputs[1].value()[0] * (reference_at(data).volume - bulk_volume_density(inputs[0]));
+    const Number &p     = inputs[1].value()[0];
+    const double volume = reference_at(data).volume;
+    return p * (volume - bulk_volume_density(inputs[0])) - 0.5 * compliance * volume * p * p;
   }
 
   void add_derivatives(const PointInputs<double, 2> &inputs, const PointData &data,
@@ -38,11 +41,14 @@ struct IncompressibleLiquid
     const BulkVolumeDerivatives volume(inputs[0]);
     const double p = inputs[1].value()[0];
     const Vector3<double> first(1., 0., 0.); // the pressure's component of its vector
-    view.add_gradient(1, 0, (reference_at(data).volume - volume.j) * first);
+    const double reference_volume = reference_at(data).volume;
+    view.add_gradient(1, 0, (reference_volume * (1. - compliance * p) - volume.j) * first);
     for (unsigned int a = 0; a < 3; ++a)
       view.add_gradient(0, 1 + a, -p * volume.j_x[a]);
     if (!view.wants_hessian())
       return;
+    if (compliance != 0.)
+      view.add_hessian(1, 0, 1, 0, (-compliance * reference_volume) * outer(first, first));
     for (unsigned int a = 0; a < 3; ++a)
     {
       view.add_hessian(0, 1 + a, 1, 0, -1. * outer(volume.j_x[a], first));
