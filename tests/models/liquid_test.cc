@@ -41,7 +41,7 @@ void run(bool axial, double theta, unsigned k, unsigned r, double g, int kind, d
   {
     if (kind < 4) add_pressure_nodes(drop, 0);
     if (kind == 1) set.energies.push_back(std::make_shared<DensityPotential<BodyForce>>("weight", BodyForce{f}, in_liquid));
-    else set.energies.push_back(std::make_shared<DensityPotential<DeadBodyForce>>("weight", DeadBodyForce{f, reference}, in_liquid));
+    else set.energies.push_back(std::make_shared<DensityPotential<BodyForce>>("weight", BodyForce{f}, in_liquid));
     if (kind < 4) set.energies.push_back(std::make_shared<DensityPotential<IncompressibleLiquid>>("liquid", IncompressibleLiquid{reference, compliance}, in_liquid));
     else set.energies.push_back(std::make_shared<DensityPotential<ElasticBody<CompressibleLiquid>>>("liquid", ElasticBody<CompressibleLiquid>{{1./compliance}, reference}, in_liquid));
     set.energies.push_back(std::make_shared<DensityPotential<ShearDrag>>("drag", ShearDrag{mu}, in_liquid));

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <pellicle/base/exceptions.h>
 #include <pellicle/potentials/bulk_measures.h>
 #include <pellicle/potentials/density_potential.h>
-
-#include <memory>
-#include <vector>
 
 namespace pellicle
 {
@@ -14,8 +10,13 @@ namespace pellicle
  * Energy of a force f = rho b per present volume in a body, - integral of f . x dv: Gravity of a closed surface as an
  * integral over what is inside.
  *
- * The energy depends on the outline alone, so that the field of an IncompressibleLiquid beside it is the part p_v of
- * the pressure p_f = p_v + f . x: constant, hence exact with any pressure nodes.
+ * Beside an IncompressibleLiquid it is the full system of Sauer 2014, (70), with a pressure that takes part in weight:
+ * with p_f = p + f . x, p the liquid's field, p_f (1 - J) - f . x = p (1 - J) - f . x J per reference volume. So p_f,
+ * which obeys grad p_f = f (84), is found exactly by constants p. Were p_f the field itself, beside a dead load - f . x
+ * per reference volume, its gradient could not be f in the cells' own polynomials, and the difference would push nodes
+ * that nothing holds (doc/numerics.md, "Full and reduced systems").
+ *
+ * Beside a CompressibleLiquid it leaves J uniform: weight does not compress the liquid. That neglects rho g h beside K.
  */
 struct BodyForce
 {
@@ -50,34 +51,4 @@ struct BodyForce
   }
 };
 
-/** The same per reference volume, - integral of f . x dV: the weight goes with the material (dead load, (136) of Sauer
- * 2014). Beside it the field of an IncompressibleLiquid is the whole pressure p_f, with grad p_f = f (84). */
-struct DeadBodyForce
-{
-  static constexpr std::array<FieldUse, 1> fields{{{"position", Derivatives::bulk, FieldRole::independent}}};
-  static constexpr bool reparametrisation_invariant = false;
-
-  Vector3<double> force;                                        ///< rho_0 b, internal units
-  std::shared_ptr<const std::vector<ReferenceBasis>> reference; ///< by PointData::index
-
-  template <typename Number>
-  Number density(const PointInputs<Number, 1> &inputs, const PointData &data) const
-  {
-    const Vector3<Number> &x = inputs[0].value();
-    return -reference_at(data).volume * (force[0] * x[0] + force[1] * x[1] + force[2] * x[2]);
-  }
-
-  void add_derivatives(const PointInputs<double, 1> & /*inputs*/, const PointData &data,
-                       const PointDerivativeView &view) const
-  {
-    view.add_gradient(0, 0, -reference_at(data).volume * force);
-  }
-
-private:
-  const ReferenceBasis &reference_at(const PointData &data) const
-  {
-    PELLICLE_ASSERT(reference && data.index < reference->size(), "a body needs its reference basis");
-    return (*reference)[data.index];
-  }
-};
 } // namespace pellicle

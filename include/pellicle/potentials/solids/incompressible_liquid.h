@@ -14,8 +14,12 @@ namespace pellicle
  * add_pressure_nodes()): it makes volume stationary cell by cell, -p_f 1 is the Cauchy stress. (With the corrected sign
  * of (130) in Sauer 2014: second variation -p_f [div dx div Dx - tr(grad dx grad Dx)] per present volume.)
  *
- * Alone a liquid, without stiffness against shear; beside a neo-Hookean solid with lambda = 0, an incompressible solid
- * whose pressure is p_f.
+ * With a compliance 1/K > 0 the liquid is compressible, p_f (1 - J) - p_f^2/(2 K): stationary at the pressure K (1 - J)
+ * of CompressibleLiquid, but cell by cell in the mean only. A liquid at rest has one J everywhere; asked for at every
+ * quadrature point, that is more than cells near a curved surface can do.
+ *
+ * Alone a liquid, without stiffness against shear (see ShearDrag); beside a neo-Hookean solid with lambda = 0, an
+ * incompressible solid whose pressure is p_f.
  */
 struct IncompressibleLiquid
 {
@@ -25,7 +29,7 @@ struct IncompressibleLiquid
   static constexpr bool reparametrisation_invariant = false;
 
   std::shared_ptr<const std::vector<ReferenceBasis>> reference; ///< by PointData::index
-  double compliance = 0.; ///< 1/K
+  double compliance = 0.;                                       ///< 1/K
 
   template <typename Number>
   Number density(const PointInputs<Number, 2> &inputs, const PointData &data) const
