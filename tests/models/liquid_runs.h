@@ -6,9 +6,11 @@
 
 #include "body_runs.h"
 
+#include <pellicle/assembly/rim_directions.h>
 #include <pellicle/base/constants.h>
 #include <pellicle/discretization/filled_cap.h>
 #include <pellicle/discretization/point_walk.h>
+#include <pellicle/kinematics/rigid_bodies.h>
 #include <pellicle/potentials/constraints/enclosed_volume.h>
 #include <pellicle/potentials/energies/gravity.h>
 #include <pellicle/potentials/energies/surface_tension.h>
@@ -129,16 +131,38 @@ inline SurfaceDiscretization start_of(const Drop &drop)
   return mesh;
 }
 
-/** Nodes of the cap move along its normals in the start, those of the line along the plane. Tangential forces on them
- * are of the size of the discretisation error, and have to do with the mesh alone. */
-inline NodalConditions along_normals(const SurfaceDiscretization &drop)
+/** The cap alone: its nodes are the first ones. */
+inline SurfaceDiscretization without_liquid(SurfaceDiscretization mesh)
 {
+  mesh.n_nodes = mesh.bulks[0].faces["cap"].size();
+  mesh.positions.resize(3 * mesh.n_nodes);
+  mesh.mesh_reference.resize(3 * mesh.n_nodes);
+  mesh.admissible.resize(mesh.n_nodes);
+  mesh.bulks.clear();
+  return mesh;
+}
+
+/** Nodes of the cap move along directions transversal to it, those of the line along the plane. Tangential forces on
+ * them are of the size of the discretisation error, and have to do with the mesh alone. */
+inline NodalConditions along_directions(const SurfaceDiscretization &mesh)
+{
+  SurfaceDiscretization cap = without_liquid(mesh);
+  FieldConditions on_plane;
+  on_plane.body.resize(cap.n_nodes);
+  for (const std::size_t I : cap.edges[0].cell_nodes)
+  {
+    // The body keeps the line on the plane; its normal is to be that of the cap.
+    cap.admissible[I] = {};
+    if (cap.kind == SurfaceDiscretization::Kind::meridian)
+      keep_on_plane(cap, {I}, {0., 1., 0.});
+    on_plane.body[I] = std::make_shared<HalfSpace>(Vector3<double>(), Vector3<double>(0., 0., 1.));
+  }
+  const NodalVectors d = directions_towards_bodies(on_plane, cap, cap.positions, nodal_normals(cap, cap.positions));
   NodalConditions conditions;
-  auto &only                 = conditions["position"].only;
-  const NodalVectors normals = nodal_normals(drop, drop.positions);
-  only.resize(drop.n_nodes);
-  for (const std::size_t I : drop.cell_nodes)
-    only[I] = AdmissibleDirections{1, {{{{normals[3 * I], normals[3 * I + 1], normals[3 * I + 2]}}, {}, {}}}};
+  auto &only = conditions["position"].only;
+  only.resize(cap.n_nodes);
+  for (std::size_t I = 0; I < cap.n_nodes; ++I)
+    only[I] = AdmissibleDirections{1, {{{{d[3 * I], d[3 * I + 1], d[3 * I + 2]}}, {}, {}}}};
   return conditions;
 }
 
@@ -155,11 +179,7 @@ inline void add_liquid(const Drop &drop, const System system, SurfaceDiscretizat
     if (drop.compliance > 0.)
       volume.stiffness = 1. / (drop.compliance * drop_volume); // K/V0
     set.constraints.push_back(volume);
-    mesh.n_nodes = mesh.bulks[0].faces["cap"].size(); // the first ones
-    mesh.positions.resize(3 * mesh.n_nodes);
-    mesh.mesh_reference.resize(3 * mesh.n_nodes);
-    mesh.admissible.resize(mesh.n_nodes);
-    mesh.bulks.clear();
+    mesh = without_liquid(std::move(mesh));
     return;
   }
   const auto reference =
@@ -207,8 +227,9 @@ inline Equilibrium equilibrium_of(const Drop &drop, const System system)
   set.energies.push_back(std::make_shared<DensityPotential<SurfaceTension>>("liquid surface", SurfaceTension{1.}));
   set.energies.push_back(
       make_wetting("wetting", PlaneChart{}, {-1., {std::cos(drop.angle * pi / 180.), nullptr}}, "rim"));
+  const NodalConditions conditions = along_directions(mesh);
   add_liquid(drop, system, mesh, set);
-  BodyRun run(mesh, set, along_normals(mesh));
+  BodyRun run(mesh, set, conditions);
   run.parameters.tolerance      = drop.tolerance;
   run.parameters.max_iterations = drop.max_iterations;
   Equilibrium result;

@@ -4,7 +4,6 @@
 
 #include "../expect_user_error.h"
 #include "../mpi_environment.h"
-#include "../record.h"
 
 #include <gtest/gtest.h>
 
@@ -31,8 +30,9 @@ TEST(FilledCap, CellsFillTheCap)
   for (const bool axial : {true, false})
     for (const double angle : {40., 90., 130.})
     {
-      const double theta = angle * pi / 180., exact = pi / 3. * std::pow(1. - std::cos(theta), 2) * (2. + std::cos(theta));
-      double error[2] = {0., 0.};
+      const double theta = angle * pi / 180.,
+                   exact = pi / 3. * std::pow(1. - std::cos(theta), 2) * (2. + std::cos(theta));
+      double error[2]    = {0., 0.};
       for (const unsigned int cuts : {0u, 1u})
       {
         const SurfaceDiscretization drop = filled_cap(theta, 2. * pi * (1. - std::cos(theta)), 2, cuts, axial);
@@ -58,11 +58,10 @@ struct ExactDrop
   double angle, weight, radius, apex, energy, pressure; ///< pressure at the base
 };
 // Without weight in closed form, with weight from the Young-Laplace equation.
-const std::vector<ExactDrop> exact_drops{
-    {60., 0., 1.276185946466, 0.736806299728, 4.263797221535, 1.357208808297},
-    {90., 0., 1., 1., 2. * pi, 2.},
-    {60., 1., 1.332567052010, 0.655300788259, 4.775949806280, 1.675216511574},
-    {90., 1., 1.069538931973, 0.880630769504, 7.016507814302, 2.452759290254}};
+const std::vector<ExactDrop> exact_drops{{60., 0., 1.276185946466, 0.736806299728, 4.263797221535, 1.357208808297},
+                                         {90., 0., 1., 1., 2. * pi, 2.},
+                                         {60., 1., 1.332567052010, 0.655300788259, 4.775949806280, 1.675216511574},
+                                         {90., 1., 1.069538931973, 0.880630769504, 7.016507814302, 2.452759290254}};
 
 TEST(FullSystem, IsTheReducedOneAndFindsExactDrops)
 {
@@ -70,28 +69,21 @@ TEST(FullSystem, IsTheReducedOneAndFindsExactDrops)
     for (const ExactDrop &exact : exact_drops)
     {
       Drop drop;
-      drop.axial              = axial;
-      drop.degree             = axial ? 3 : 2;
-      drop.cuts               = axial ? 1 : 0;
-      drop.angle              = exact.angle;
-      drop.weight             = exact.weight;
+      drop.axial             = axial;
+      drop.degree            = axial ? 3 : 2;
+      drop.cuts              = axial ? 1 : 0;
+      drop.angle             = exact.angle;
+      drop.weight            = exact.weight;
       const Equilibrium full = equilibrium_of(drop, System::full), reduced = equilibrium_of(drop, System::reduced);
       SCOPED_TRACE(std::to_string(exact.angle) + (axial ? " axial" : " 3-D"));
       expect_equal(full, reduced, 1e-8);
       EXPECT_LT(full.spread, 1e-7); // p_f = p_v + rho b . x at every point
       EXPECT_LE(full.newton.iterations, 7);
-      const double accuracy = axial ? 1. : 300.;
+      const double accuracy = axial ? 1. : 1500.; // 16 quadratic hexahedra
       EXPECT_NEAR(full.radius, exact.radius, 1e-6 * accuracy);
       EXPECT_NEAR(full.apex, exact.apex, 3e-5 * accuracy);
       EXPECT_NEAR(full.energy, exact.energy, 1e-6 * accuracy);
       EXPECT_NEAR(full.pressure, exact.pressure, 1e-5 * accuracy);
-      const std::string name = std::string(axial ? "axial " : "3-D ") + std::to_string(int(exact.angle)) +
-                               (exact.weight > 0. ? " heavy" : "");
-      for (const auto &[system, result] : {std::make_pair("reduced", &reduced), std::make_pair("full", &full)})
-        std::printf("%s %s: %zu unknowns, %d iterations, %d rejected, %.4f s, radius %.3g apex %.3g energy %.3g pressure %.3g off, spread %.2g\n", name.c_str(), system,
-                    result->n_unknowns, result->newton.iterations, result->newton.rejected, result->seconds,
-                    result->radius - exact.radius, result->apex - exact.apex, result->energy - exact.energy,
-                    result->pressure - exact.pressure, result->spread);
     }
 }
 
@@ -122,7 +114,6 @@ TEST(FullSystem, DragHasNoInfluenceOnTheResult)
     drop.drag               = drag;
     const Equilibrium other = equilibrium_of(drop, System::full);
     expect_equal(other, some, 1e-8);
-    std::printf("drag %g: %d iterations\n", drag, other.newton.iterations);
   }
 }
 
@@ -137,7 +128,7 @@ TEST(FullSystem, CompressibleDropsHaveTheVolumeOfTheirLaw)
     double lower = 0.6 * R0, upper = R0;
     for (int i = 0; i < 60; ++i)
     {
-      const double R = 0.5 * (lower + upper);
+      const double R                                            = 0.5 * (lower + upper);
       (K * (1. - std::pow(R / R0, 3)) > 2. / R ? lower : upper) = R;
     }
     const double R = lower, volume = drop_volume * std::pow(R / R0, 3);
@@ -153,7 +144,6 @@ TEST(FullSystem, CompressibleDropsHaveTheVolumeOfTheirLaw)
     EXPECT_TRUE(by_the_point.newton.converged) << by_the_point.newton.failure;
     EXPECT_NEAR(by_the_point.volume, volume, 1e-6);
     EXPECT_NEAR(by_the_point.radius, full.radius, 1e-5);
-    std::printf("K %g: reduced %d, full %d (%d rejected), without pressure %d iterations; V %.3g off, radius %.3g; without pressure V %.3g radius %.3g\n", K, reduced.newton.iterations, full.newton.iterations, full.newton.rejected, by_the_point.newton.iterations, full.volume-volume, full.radius-R*std::sin(pi/3.), by_the_point.volume-volume, by_the_point.radius-full.radius);
   }
   // V = V0 (1 - p/K): stiff liquids tend to the incompressible one.
   drop.compliance         = 1e-6;
@@ -174,11 +164,13 @@ TEST(FullSystem, TangentAsPrintedCostsIterations)
   drop.weight               = 1.;
   drop.tolerance            = 1e-9;
   drop.max_iterations       = 60;
-  const Equilibrium correct = equilibrium_of(drop, System::full), printed = equilibrium_of(drop, System::full_as_printed);
-  std::printf("corrected %d, printed %d iterations, %d rejected, residual %.2g %s, radius off %.2g\n", correct.newton.iterations, printed.newton.iterations, printed.newton.rejected, printed.newton.relative_residual, printed.newton.failure.c_str(), printed.radius - correct.radius);
+  const Equilibrium correct = equilibrium_of(drop, System::full),
+                    printed = equilibrium_of(drop, System::full_as_printed);
   EXPECT_TRUE(correct.newton.converged);
   EXPECT_LE(correct.newton.iterations, 6);
-  EXPECT_FALSE(printed.newton.converged && printed.newton.iterations < 3 * correct.newton.iterations);
+  EXPECT_TRUE(printed.newton.converged) << printed.newton.failure;
+  EXPECT_GE(printed.newton.iterations, 2 * correct.newton.iterations);
+  EXPECT_NEAR(printed.radius, correct.radius, 1e-7);
 }
 
 // With p_f itself in the cells' polynomials and a dead load, forces of the size of the discretisation error are left on
@@ -186,14 +178,13 @@ TEST(FullSystem, TangentAsPrintedCostsIterations)
 TEST(FullSystem, DeadLoadLeavesForcesInside)
 {
   Drop drop;
-  drop.weight             = 1.;
-  drop.drag               = 1.;
-  drop.max_iterations     = 15;
+  drop.weight            = 1.;
+  drop.drag              = 1.;
+  drop.max_iterations    = 15;
   const Equilibrium dead = equilibrium_of(drop, System::full_dead_load);
-  std::printf("dead: residual %g spread %g radius %g\n", dead.newton.relative_residual, dead.spread, dead.radius - exact_drops[3].radius);
   EXPECT_FALSE(dead.newton.converged);
   EXPECT_GT(dead.newton.relative_residual, 1e-4);
-  EXPECT_NEAR(dead.radius, exact_drops[3].radius, 1e-5);
+  EXPECT_NEAR(dead.radius, exact_drops[3].radius, 5e-5);
   EXPECT_GT(dead.spread, 1e-3);
   EXPECT_LT(dead.spread, 1e-2);
 }
