@@ -61,13 +61,22 @@ bool NodalChart::has_mesh_equations() const
                      { return node.mesh_equation[0] || node.mesh_equation[1] || node.mesh_equation[2]; });
 }
 
+void free_nodes(const SurfaceDiscretization &discretization, const std::vector<bool> &material, NodalChart &chart)
+{
+  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+    if (material[I])
+    {
+      chart.nodes[I] = {};
+      for (const Direction &d : admissible_directions(discretization, I))
+        append_column(chart.nodes[I], d, false);
+    }
+}
+
 NodalChart free_chart(const SurfaceDiscretization &discretization)
 {
   NodalChart chart;
   chart.nodes.resize(discretization.n_nodes);
-  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
-    for (const Direction &d : admissible_directions(discretization, I))
-      append_column(chart.nodes[I], d, false);
+  free_nodes(discretization, std::vector<bool>(discretization.n_nodes, true), chart);
   return chart;
 }
 
@@ -77,7 +86,8 @@ NodalChart graph_chart(const SurfaceDiscretization &discretization, const NodalV
   NodalChart chart;
   chart.nodes.resize(discretization.n_nodes);
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
-    append_column(chart.nodes[I], vector_at(normals, I), false);
+    if (norm(vector_at(normals, I)) > 0.)
+      append_column(chart.nodes[I], vector_at(normals, I), false);
   for (const auto &[I, nu] : nodal_conormals(discretization, positions, normals))
     append_column(chart.nodes[I], nu, false);
   return chart;
@@ -134,6 +144,9 @@ NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const No
   const ShapeTables tables = make_tables_at(discretization.kind, discretization.degree, sites);
 
   NodalVectors normals(3 * discretization.n_nodes, 0.);
+  std::vector<bool> on_surface(discretization.n_nodes, false);
+  for (const std::size_t node : discretization.cell_nodes)
+    on_surface[node] = true;
   for_all_points(tables, discretization.cell_nodes, positions, 3,
                  [&](const WalkPoint &x)
                  {
@@ -144,6 +157,8 @@ NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const No
                  });
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
   {
+    if (!on_surface[I])
+      continue;
     const Vector3<double> sum = vector_at(normals, I);
     Vector3<double> d;
     for (const Direction &e : admissible_directions(discretization, I))

@@ -3,6 +3,7 @@
 #include <pellicle/discretization/edge_loops.h>
 #include <pellicle/discretization/split_line.h>
 #include <pellicle/discretization/surface_quality.h>
+#include <pellicle/models/contact_augmentation.h>
 #include <pellicle/models/surface_model.h>
 
 #include <algorithm>
@@ -85,6 +86,7 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
   problem = std::make_unique<SurfaceProblem>(solved_mesh(), std::move(potentials), conditions, communicator,
                                              newton.linear_solver, timing);
   solver  = make_linear_solver(newton.linear_solver);
+  add_pairs(scene, communicator);
   check_constraints_are_independent();
 }
 
@@ -114,6 +116,23 @@ void SurfaceModel::add_node_noise(const NodeNoise &noise)
         discretization.positions[3 * I + c] += dot(displacement, e) * e[c];
     }
   }
+}
+
+void SurfaceModel::add_pairs(const SurfaceScene &scene, const Communicator &communicator)
+{
+  auto terms = scene.pair_terms(solved_mesh(), targets);
+  if (terms.empty())
+    return;
+  const auto pairs = std::make_shared<PairTerms>(std::move(terms), communicator);
+  try
+  {
+    problem->set_pairs(pairs);
+  }
+  catch (const SolveError &error)
+  {
+    throw UserError(std::string("The start shape cannot be used. ") + error.what() + " Move the parts apart.");
+  }
+  active_sets.push_back(std::make_unique<ContactAugmentation>(pairs, scene.multiplier_tolerance()));
 }
 
 // On a sphere dA = (2/R) dV: the two rows of the border would be multiples of each other. What counts is motion along
@@ -169,6 +188,11 @@ void SurfaceModel::update(const SurfaceScene &scene)
 {
   newton                  = scene.newton;
   PotentialSet potentials = potentials_of(scene);
+  own_conditions          = scene.conditions(solved_mesh(), targets);
+  for (const auto &active : active_sets)
+    active->renew(targets);
+  if (active_sets.empty())
+    problem->set_conditions(own_conditions);
   for (const auto &active : active_sets)
     active->add_potentials(potentials);
   problem->set_potentials(std::move(potentials));

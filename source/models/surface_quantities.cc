@@ -50,6 +50,9 @@ std::vector<NamedQuantity> SurfaceModel::energies() const
   std::vector<NamedQuantity> list;
   for (std::size_t k = 0; k < set.energies.size(); ++k)
     add_to(list, {energy_quantity(set.energies[k]->name()), values.energies[k], dimensions::energy});
+  if (problem->pairs())
+    for (std::size_t k = 0; k < values.pairs.size(); ++k)
+      add_to(list, {energy_quantity(problem->pairs()->terms()[k]->name()), values.pairs[k], dimensions::energy});
   const double shift = energy_of_self_terms(values, problem->state().multipliers);
   if (shift != 0.)
     add_to(list, {"bending_energy", shift, dimensions::energy});

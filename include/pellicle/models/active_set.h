@@ -22,6 +22,8 @@ public:
 
   /** For messages: "contact", "line pinning". */
   virtual const std::string &name() const = 0;
+  /** Takes over the numbers of a load step. */
+  virtual void renew(const SceneTargets & /*targets*/) {}
   /** Called once before the first equilibrium of a load step. */
   virtual void begin_step(const SurfaceProblem & /*problem*/) {}
   /** Adds what the statuses ask of the nodes. */

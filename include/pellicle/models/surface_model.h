@@ -111,6 +111,7 @@ private:
   }
   void add_node_noise(const NodeNoise &noise);
   void check_constraints_are_independent();
+  void add_pairs(const SurfaceScene &scene, const Communicator &communicator);
   void take_from_mesh(const SurfaceScene &scene);
   PotentialSet potentials_of(const SurfaceScene &scene);
   void look_at_stability(EquilibriumSearch &search);

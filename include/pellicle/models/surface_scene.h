@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pellicle/assembly/nodal_conditions.h>
+#include <pellicle/assembly/pair_term.h>
 #include <pellicle/base/parameters.h>
 #include <pellicle/discretization/surface_discretization.h>
 #include <pellicle/models/active_set.h>
@@ -130,6 +131,13 @@ public:
   {
     return {};
   }
+  /** Terms that couple parts that meet, in internal units, and the tolerance of their multipliers. */
+  virtual std::vector<std::shared_ptr<PairTerm>> pair_terms(const SurfaceDiscretization & /*surface*/,
+                                                            const SceneTargets & /*targets*/) const
+  {
+    return {};
+  }
+  virtual double multiplier_tolerance() const { return 1e-8; }
   virtual SurfaceMeasures measures(const Scales & /*scales*/) const { return {}; }
 
   /** What effects take from the scene and from each other; what only a mesh knows is left out. */

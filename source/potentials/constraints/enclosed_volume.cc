@@ -34,10 +34,9 @@ void VolumeConstraintEffect::contribute(const Scales &scales, const SceneTargets
   volume.measure = std::make_shared<DensityPotential<EnclosedVolume>>(name(), EnclosedVolume{});
   volume.target  = targets.volume;
   if (targets.droplet)
-    for (const SceneEdge &edge : targets.edges)
-      if (edge.name == contact_line)
-        if (auto base = make_base_volume(name(), targets.droplet->substrate, contact_line))
-          volume.further_parts.push_back(std::move(base));
+    for (const WettedBase &base : targets.droplet->bases)
+      if (auto part = make_base_volume(name(), base.chart, base.line))
+        volume.further_parts.push_back(std::move(part));
   volume.stiffness       = scaled(parameters, scales).stiffness;
   volume.quantity        = "volume";
   volume.multiplier      = "pressure";

@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/kinematics/gap.h>
 #include <pellicle/potentials/wetting/substrate_chart.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace pellicle
 {
-/** Name of the line where a drop's liquid-gas surface meets the substrate. */
-constexpr const char *contact_line = "contact line";
+/** Name of the line where a drop's liquid-gas surface meets the substrate; of the one on an upper plate. */
+constexpr const char *contact_line       = "contact line";
+constexpr const char *upper_contact_line = "upper contact line";
+/** Regions of a drop whose wetted base is a membrane of its own. */
+constexpr const char *liquid_gas_region = "liquid gas";
+constexpr const char *base_region       = "base";
+
+/** A wetted base that has no surface of its own: it enters by integrals along its line. */
+struct WettedBase
+{
+  std::string line; ///< name of the edge loop
+  SubstrateChart chart;
+};
 
 /** What the effects of a drop take from its scene, internal units. */
 struct DropletTargets
@@ -20,6 +34,8 @@ struct DropletTargets
   Vector3<double> body_force; ///< rho b at Bond number and inclination of the scene
   Vector3<double> force_per_bond_number;
   double unit_of_place = 1.; ///< the scene's length in the user's units
-  SubstrateChart substrate;
+  std::vector<WettedBase> bases;
+  bool has_base_membrane = false; ///< the wetted base is a region of the surface
+  std::vector<std::shared_ptr<const RigidBody>> bodies;
 };
 } // namespace pellicle
