@@ -134,6 +134,7 @@ public:
 
 private:
   TermValues evaluate(const SurfaceState &state) const;
+  TermValues at_full_multiplier_fields(const std::vector<double> &direction) const;
   double merit_of(const TermValues &values, const std::vector<double> &of_state,
                   const std::vector<double> &direction) const;
   std::vector<double> full_step_multipliers(const std::vector<double> &direction) const;
