@@ -410,8 +410,8 @@ void BorderedSystem::restrict_vector(const std::size_t field, const NodalVectors
     }
 }
 
-void BorderedSystem::prolongate(const std::vector<double> &u, const double factor, const std::size_t field,
-                                NodalVectors &values) const
+void BorderedSystem::add_columns(const std::vector<double> &u, const double factor, const std::size_t field,
+                                 NodalVectors &values) const
 {
   for (std::size_t I = 0; I < unknowns.charts[field].nodes.size(); ++I)
     for (unsigned int a = 0; a < unknowns.count(field, I); ++a)
@@ -422,8 +422,10 @@ void BorderedSystem::prolongate(const std::vector<double> &u, const double facto
     }
 }
 
-void BorderedSystem::retract(const std::size_t field, NodalVectors &values) const
+void BorderedSystem::prolongate(const std::vector<double> &u, const double factor, const std::size_t field,
+                                NodalVectors &values) const
 {
+  add_columns(u, factor, field, values);
   for (std::size_t I = 0; I < unknowns.charts[field].on_body.size(); ++I)
     if (const auto &on = unknowns.charts[field].on_body[I])
     {

@@ -20,10 +20,10 @@ class CapOutline
 {
 public:
   /** `angle` 0: a disc. */
-  CapOutline(const double angle, const double area, const double crowding)
+  CapOutline(const double angle, const double area, const double growth)
       : rim_angle(angle)
       , radius(angle > 0. ? std::sqrt(area / (4. * pi)) / std::sin(0.5 * angle) : std::sqrt(area / pi))
-      , slope(angle > 0.5 * pi ? -crowding * std::cos(angle) : 0.)
+      , growth(growth)
   {
   }
 
@@ -38,16 +38,15 @@ public:
   }
 
 private:
-  // d(polar)/d(rho) proportional to sin(rim) + s (rim - polar), s the slope by which cells grow away from the rim.
+  // d(polar)/d(rho) proportional to 1 + growth (rim - polar).
   double polar_angle(const double rho) const
   {
-    if (slope == 0.)
+    if (growth == 0.)
       return rim_angle * rho;
-    const double at_rim = std::sin(rim_angle), rate = std::log1p(slope * rim_angle / at_rim);
-    return rim_angle - at_rim / slope * std::expm1(rate * (1. - rho));
+    return rim_angle - std::expm1(std::log1p(growth * rim_angle) * (1. - rho)) / growth;
   }
 
-  double rim_angle, radius, slope;
+  double rim_angle, radius, growth;
 };
 
 SurfaceDiscretization cap_meridian(const CapOutline &outline, const unsigned int degree, const unsigned int refinements)
@@ -84,9 +83,9 @@ SurfaceDiscretization cap_surface(const double angle, const CapOutline &outline,
 }
 
 SurfaceDiscretization make_cap(const double angle, const double area, const unsigned int degree,
-                               const unsigned int refinements, const bool axial, const double crowding)
+                               const unsigned int refinements, const bool axial, const double growth)
 {
-  const CapOutline outline(angle, area, crowding);
+  const CapOutline outline(angle, area, growth);
   SurfaceDiscretization result =
       axial ? cap_meridian(outline, degree, refinements) : cap_surface(angle, outline, degree, refinements);
   result.mesh_reference = result.positions;
@@ -95,13 +94,13 @@ SurfaceDiscretization make_cap(const double angle, const double area, const unsi
 } // namespace
 
 SurfaceDiscretization cap(const double angle, const double area, const unsigned int degree,
-                          const unsigned int refinements, const bool axial, const double crowding)
+                          const unsigned int refinements, const bool axial, const double growth)
 {
   if (!(angle > 0. && angle < pi))
     throw UserError("Cap angle = " + exact_text(angle) +
                     ": the polar angle of a cap's rim must lie strictly between 0 and pi (radians; pi/2 is a "
                     "hemisphere). Take the start shape 'disc' for a flat one.");
-  return make_cap(angle, area, degree, refinements, axial, crowding);
+  return make_cap(angle, area, degree, refinements, axial, growth);
 }
 
 SurfaceDiscretization disc(const double area, const unsigned int degree, const unsigned int refinements,

@@ -51,7 +51,7 @@ std::size_t turned_round(const SurfaceDiscretization &surface, const std::size_t
 } // namespace
 
 SurfaceDiscretization closed_at_rim(const SurfaceDiscretization &upper, const SurfaceDiscretization &lower,
-                             const std::string &upper_name, const std::string &lower_name)
+                                    const std::string &upper_name, const std::string &lower_name)
 {
   PELLICLE_ASSERT(upper.edges.size() == 1 && lower.edges.size() == 1 && upper.degree == lower.degree &&
                       upper.kind == lower.kind,

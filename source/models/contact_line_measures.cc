@@ -11,18 +11,13 @@ namespace pellicle
 ContactLineMeasures measure_contact_line(const SurfaceModel &model, const EdgeLoop &line)
 {
   const DropletTargets &drop = model.scene_targets().drop();
-  const double tension       = drop.surface_tension;
-  SubstrateChart substrate; // a plane, where the base is a membrane
-  for (const WettedBase &base : drop.bases)
-    if (base.line == line.name)
-      substrate = base.chart;
   ContactLineMeasures result{0., 180., 0., 0.};
   double length = 0.;
-  for (const auto &[node, at] : line_forces(model.equilibrium(), line, substrate))
+  for (const auto &[node, at] : line_forces(model.equilibrium(), line, drop.chart_of(line.name)))
   {
-    const double angle = std::acos(std::clamp(at.pull / (tension * at.length), -1., 1.));
+    const double angle = std::acos(std::clamp(at.pull / (drop.surface_tension * at.length), -1., 1.));
     result.mean += 180. / pi * angle * at.length;
-    result.normal_pull += tension * std::sin(angle) * at.length;
+    result.normal_pull += drop.surface_tension * std::sin(angle) * at.length;
     result.smallest = std::min(result.smallest, 180. / pi * angle);
     result.largest  = std::max(result.largest, 180. / pi * angle);
     length += at.length;

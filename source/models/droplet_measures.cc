@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pellicle/assembly/edge_frames.h>
 #include <pellicle/base/constants.h>
-#include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/point_walk.h>
 #include <pellicle/models/contact_line_measures.h>
 #include <pellicle/models/droplet_measures.h>

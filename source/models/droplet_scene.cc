@@ -4,6 +4,7 @@
 #include <pellicle/models/droplet_measures.h>
 #include <pellicle/models/droplet_scene.h>
 #include <pellicle/models/droplet_start.h>
+#include <pellicle/models/free_motions.h>
 #include <pellicle/models/line_pinning.h>
 #include <pellicle/models/nodal_contact.h>
 #include <pellicle/potentials/wetting/line_pinning.h>
@@ -262,8 +263,14 @@ std::vector<std::unique_ptr<ActiveSet>> DropletScene::active_sets(const SurfaceD
 // Motions of the whole drop over its substrate that cost no energy: they are a gauge.
 std::vector<RigidMotion> DropletScene::free_motions() const
 {
-  if (mesh.symmetry == "axial" || !droplet.angle_field.empty() || substrate.shape == "height field")
+  if (mesh.symmetry == "axial" || !droplet.angle_field.empty())
     return {};
+  if (substrate.shape == "height field")
+  {
+    const double a = droplet.inclination * degree, weight = has_effect("gravity") ? droplet.bond_number : 0.;
+    return free_motions_over(ExpressionOfPlace(substrate.height, own_length(), own_length()), 1.,
+                             weight * Vector3<double>(std::sin(a), 0., -std::cos(a)));
+  }
   if (is_pulled_along())
     return {};
   std::vector<RigidMotion> motions{{{}, {{0., 0., 1.}}}};

@@ -107,10 +107,7 @@ bool InternalElimination::solve(const PotentialSet &set, const std::vector<doubl
       solver->solve(step);
     }
     for (std::size_t f = 0; f < layout.fields().size(); ++f)
-    {
       system.prolongate(step, -1., f, values[f]);
-      system.retract(f, values[f]);
-    }
     const double after = relative_residual(set, multipliers, values, Order::gradient);
     // Below the tolerance, or at round-off where it no longer falls.
     if (after <= tolerance || (after < 1e3 * tolerance && after > 0.5 * residual))

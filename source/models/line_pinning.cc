@@ -22,8 +22,8 @@ constexpr double angle_tolerance = 1e-7, slip_tolerance = 1e-10;
 
 LinePinning::LinePinning(const EdgeLoop &line, const SceneTargets &targets)
     : line(line)
+    , drop(targets.drop())
 {
-  renew(targets);
   for (std::size_t c = 0; c < line.n_cells; ++c)
     for (unsigned int i = 0; i < line.tables.n_nodes; ++i)
       nodes[line.cell_nodes[c * line.tables.n_nodes + i]].cells.push_back(c);
@@ -36,12 +36,9 @@ const std::string &LinePinning::name() const
   return text;
 }
 
-void LinePinning::renew(const SceneTargets &targets)
+void LinePinning::take(const SceneTargets &targets)
 {
   drop = targets.drop();
-  for (const WettedBase &base : drop.bases)
-    if (base.line == line.name)
-      chart = base.chart;
 }
 
 const RigidBody &LinePinning::body() const
@@ -64,8 +61,8 @@ void LinePinning::begin_step(const SurfaceProblem &problem)
   friction->start.clear();
   for_all_points(line.tables, line.cell_nodes, x, 2,
                  [&](const WalkPoint &point)
-                 { friction->start.push_back(wetted_area_density(chart, point[0], point[1])); });
-  for (const auto &[I, force] : line_forces(problem, line, chart))
+                 { friction->start.push_back(wetted_area_density(drop.chart_of(line.name), point[0], point[1])); });
+  for (const auto &[I, force] : line_forces(problem, line, drop.chart_of(line.name)))
   {
     Node &node  = nodes.at(I);
     node.start  = body().gap(vector_at(x, I)).foot; // a plate may have moved
@@ -110,7 +107,7 @@ void LinePinning::place(NodalVectors &positions) const
 
 void LinePinning::add_potentials(PotentialSet &set) const
 {
-  set.energies.push_back(make_line_friction(name(), chart, friction, line.name));
+  set.energies.push_back(make_line_friction(name(), drop.chart_of(line.name), friction, line.name));
 }
 
 bool LinePinning::leaves_rigid_motions() const
@@ -130,7 +127,8 @@ std::size_t LinePinning::update(const SurfaceProblem &problem)
   };
   std::vector<Slip> wanted;
   const double advancing = threshold(Status::advancing), receding = threshold(Status::receding);
-  for (const auto &[I, force] : settling ? std::map<std::size_t, LineForce>() : line_forces(problem, line, chart))
+  for (const auto &[I, force] :
+       settling ? std::map<std::size_t, LineForce>() : line_forces(problem, line, drop.chart_of(line.name)))
   {
     Node &node          = nodes.at(I);
     const double cosine = force.pull / (drop.surface_tension * force.length);
@@ -240,7 +238,7 @@ double LinePinning::dissipated_in_step(const NodalVectors &positions) const
                  {
                    const double weight = line.tables.weights[point.q];
                    sum += weight * friction->coefficient[index / friction->n_points] *
-                          (wetted_area_density(chart, point[0], point[1]) - friction->start[index]);
+                          (wetted_area_density(drop.chart_of(line.name), point[0], point[1]) - friction->start[index]);
                    parameter_length += weight;
                    ++index;
                  });

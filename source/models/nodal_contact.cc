@@ -33,7 +33,7 @@ const std::string &NodalContact::name() const
   return text;
 }
 
-void NodalContact::renew(const SceneTargets &targets)
+void NodalContact::take(const SceneTargets &targets)
 {
   bodies = targets.drop().bodies;
 }

@@ -78,7 +78,10 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
   own_conditions = scene.conditions(solved_mesh(), targets);
   active_sets    = scene.active_sets(solved_mesh(), targets);
   for (const auto &active : active_sets)
+  {
+    active->take(targets);
     active->add_potentials(potentials);
+  }
   const NodalConditions &conditions = own_conditions;
   // Held rims fix the surface in space; there are no rigid motions left.
   if (const auto position = conditions.find("position"); position != conditions.end() && !position->second.only.empty())
@@ -189,12 +192,13 @@ void SurfaceModel::update(const SurfaceScene &scene)
   newton                  = scene.newton;
   PotentialSet potentials = potentials_of(scene);
   own_conditions          = scene.conditions(solved_mesh(), targets);
-  for (const auto &active : active_sets)
-    active->renew(targets);
   if (active_sets.empty())
     problem->set_conditions(own_conditions);
   for (const auto &active : active_sets)
+  {
+    active->take(targets);
     active->add_potentials(potentials);
+  }
   problem->set_potentials(std::move(potentials));
 }
 
@@ -268,9 +272,9 @@ void SurfaceModel::apply_active_sets()
     active->place(state.fields[0]);
     rigid_gauge = rigid_gauge && active->leaves_rigid_motions();
   }
-  problem->set_conditions(std::move(conditions));
   problem->set_rigid_gauge(rigid_gauge);
   problem->set_state(std::move(state)); // energies of potentials that know the statuses are others now
+  problem->set_conditions(std::move(conditions));
 }
 
 void SurfaceModel::solve_with_active_sets(EquilibriumSearch &search)

@@ -358,7 +358,8 @@ double SurfaceProblem::merit_of(const TermValues &values, const std::vector<doub
   return merit;
 }
 
-double SurfaceProblem::merit(const std::vector<double> &direction) const
+// Values where the fields that are multipliers have taken their full step, and nothing else has.
+TermValues SurfaceProblem::at_full_multiplier_fields(const std::vector<double> &direction) const
 {
   SurfaceState with_full_step = current;
   bool has_multiplier_fields  = false;
@@ -368,7 +369,12 @@ double SurfaceProblem::merit(const std::vector<double> &direction) const
       has_multiplier_fields = true;
       system->prolongate(direction, 1., f, with_full_step.fields[f]);
     }
-  return merit_of(has_multiplier_fields ? evaluate(with_full_step) : current_values, current.multipliers, direction);
+  return has_multiplier_fields ? evaluate(with_full_step) : current_values;
+}
+
+double SurfaceProblem::merit(const std::vector<double> &direction) const
+{
+  return merit_of(at_full_multiplier_fields(direction), current.multipliers, direction);
 }
 
 double SurfaceProblem::merit_slope(const std::vector<double> &direction) const
@@ -380,15 +386,11 @@ double SurfaceProblem::merit_slope(const std::vector<double> &direction) const
   double slope                          = 0.;
   for (std::size_t i = 0; i < n; ++i)
     slope += system->residual()[i] * direction[i];
-  // A multiplier field p is at its full step all along: dp . B dx in the place of r_p . dp, where B dx = -r_p.
-  for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
-    if (is_multiplier(f))
-      for (std::size_t I = 0; I < surface.n_nodes; ++I)
-        for (unsigned int a = 0; a < system->numbering().count(f, I); ++a)
-        {
-          const std::size_t i = system->numbering().first_of(f, I) + a;
-          slope -= 2. * system->residual()[i] * direction[i];
-        }
+  // A multiplier field p is at its full step all along: dp . B dx in the place of r_p . dp, where B dx = -r_p + C dp.
+  // The energies are quadratic in p, E(p + dp) - E(p) = r_p . dp - dp . C dp/2.
+  const std::vector<double> stepped = at_full_multiplier_fields(direction).energies;
+  for (std::size_t e = 0; e < stepped.size(); ++e)
+    slope += 2. * (current_values.energies[e] - stepped[e]);
   for (std::size_t k = 0; k < multipliers.size(); ++k)
   {
     const Constraint &constraint = set.constraints[k];
@@ -420,10 +422,7 @@ double SurfaceProblem::try_step(const std::vector<double> &direction, const doub
   try
   {
     for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
-    {
       system->prolongate(direction, is_multiplier(f) ? 1. : length, f, trial.fields[f]);
-      system->retract(f, trial.fields[f]);
-    }
   }
   catch (const SolveError &)
   {

@@ -129,7 +129,7 @@ std::vector<double> SurfaceProblem::direction_of(const NodalVectors &displacemen
 NodalVectors SurfaceProblem::displacements(const std::vector<double> &direction) const
 {
   NodalVectors move(3 * surface.n_nodes, 0.);
-  system->prolongate(direction, 1., 0, move);
+  system->add_columns(direction, 1., 0, move);
   return move;
 }
 

@@ -102,11 +102,11 @@ public:
 
   /** Multiplies nodal vectors of field f by Z^T. */
   void restrict_vector(std::size_t field, const NodalVectors &vector, std::vector<double> &unknowns) const;
-  /** x_f += factor Z u. */
+  /** values += factor Z u: displacements of nodes, to first order where these stay on bodies or the unit sphere. */
+  void add_columns(const std::vector<double> &u, double factor, std::size_t field, NodalVectors &values) const;
+  /** x_f += factor Z u; unit vectors are normalised afterwards, nodes on bodies go to the closest point.
+   * Throws SolveError where there is none. */
   void prolongate(const std::vector<double> &u, double factor, std::size_t field, NodalVectors &values) const;
-  /** What follows a step: unit vectors are normalised, nodes on bodies go to the closest point. Throws SolveError where
-   * there is none. */
-  void retract(std::size_t field, NodalVectors &values) const;
 
 private:
   void make_pattern();

@@ -28,11 +28,11 @@ SurfaceDiscretization torus(double ratio, double area, unsigned int degree, unsi
  * pi). n points away from the sphere's centre. 12 * 4^r cells, 2 * 2^r from pole to rim (see BalancedDisc); as many on
  * a meridian. Throws UserError for an angle outside the range.
  *
- * With `crowding` > 0 cells are smaller towards a rim beyond the equator, which is a small hole: their size grows with
- * the polar distance from the rim as sin(angle) - crowding cos(angle) (distance).
+ * With `growth` > 0 cells are smaller towards the rim: their size grows with the polar distance from it as
+ * 1 + growth (distance in radians).
  */
 SurfaceDiscretization cap(double angle, double area, unsigned int degree, unsigned int refinements, bool axial,
-                          double crowding = 0.);
+                          double growth = 0.);
 
 /** The limit of a cap for angle 0: flat disc in z = 0, n = e_z. */
 SurfaceDiscretization disc(double area, unsigned int degree, unsigned int refinements, bool axial);

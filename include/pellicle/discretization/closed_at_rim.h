@@ -14,5 +14,5 @@ namespace pellicle
  * `lower_name`. On meridians `upper` comes first and `lower` is run through from its rim to the axis.
  */
 SurfaceDiscretization closed_at_rim(const SurfaceDiscretization &upper, const SurfaceDiscretization &lower,
-                             const std::string &upper_name, const std::string &lower_name);
+                                    const std::string &upper_name, const std::string &lower_name);
 } // namespace pellicle

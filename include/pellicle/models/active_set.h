@@ -22,10 +22,10 @@ public:
 
   /** For messages: "contact", "line pinning". */
   virtual const std::string &name() const = 0;
-  /** Takes over the numbers of a load step. */
-  virtual void renew(const SceneTargets & /*targets*/) {}
   /** Called once before the first equilibrium of a load step. */
   virtual void begin_step(const SurfaceProblem & /*problem*/) {}
+  /** Takes over the numbers of a scene: of the first one, and of each load step before its first equilibrium. */
+  virtual void take(const SceneTargets & /*targets*/) {}
   /** Adds what the statuses ask of the nodes. */
   virtual void add_conditions(NodalConditions & /*conditions*/) const {}
   /** Adds the terms that the statuses bring. Number and places of the terms must not depend on the statuses; what they

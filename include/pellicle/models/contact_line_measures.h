@@ -13,10 +13,10 @@ struct ContactLineMeasures
 };
 
 /**
- * Of a contact line, at its nodes. gamma cos(theta) is the force across the line, tangential to the body, with which
- * liquid-gas surface and liquid pull at it, over the wetted area that it would gain (line_forces.h). It converges
- * faster than the angle between the surfaces; where the line is free to move it is the wetting's angle exactly, where
- * it slips with friction the advancing or the receding one.
+ * gamma cos(theta) is the tangential force with which the liquid-gas surface and the liquid pull at a node of the line,
+ * over the wetted area that moving it would gain (line_forces.h). It converges faster than the angle between the
+ * surfaces, and where the line is free to move it is the wetting's angle exactly, where it slips with friction the
+ * advancing or receding one.
  */
 ContactLineMeasures measure_contact_line(const SurfaceModel &model, const EdgeLoop &line);
 } // namespace pellicle

@@ -41,8 +41,8 @@ public:
   bool has_origin() const override { return true; }
   std::vector<SceneEdge> edges() const override;
   NodalConditions conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const override;
-  /** That of 'line pinning'. */
   std::optional<NodalVectors> reference_positions() const override;
+  /** Of line pinning and contact. */
   std::vector<std::unique_ptr<ActiveSet>> active_sets(const SurfaceDiscretization &surface,
                                                       const SceneTargets &targets) const override;
   SurfaceMeasures measures(const Scales &scales) const override;

@@ -7,15 +7,17 @@
 namespace pellicle
 {
 /** A spherical cap that meets a substrate's pole region at a given angle: polar angle of its rim seen from its own
- * centre (0: a flat disc), area, height of the rim's plane. */
+ * centre (0: a flat disc, negative: concave), area, height of the rim's plane, growth of cells away from the rim per
+ * radian (see cap()). */
 struct StartCap
 {
-  double rim_angle = 0., area = 0., rim_height = 0.;
+  double rim_angle = 0., area = 0., rim_height = 0., growth = 0.;
 };
 
 /**
- * The cap of the given volume on plane or sphere; on a height field that of the plane. Of concave menisci in a cavity
- * the flat one, and no cap with more than 175 degrees. Throws UserError for a drop that does not fit.
+ * The cap of the given volume on plane or sphere, on a height field that of the plane; none with more than 175 degrees.
+ * Its angle is the contact angle without gravity, and with it that of the cap of least energy on a plane, which is near
+ * the equilibrium's contact line though not its angle. Throws UserError for a drop that does not fit.
  */
 StartCap start_cap(const DropletParameters &droplet, const SubstrateParameters &substrate);
 

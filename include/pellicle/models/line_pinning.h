@@ -36,8 +36,8 @@ public:
   LinePinning(const EdgeLoop &line, const SceneTargets &targets);
 
   const std::string &name() const override;
-  void renew(const SceneTargets &targets) override;
   void begin_step(const SurfaceProblem &problem) override;
+  void take(const SceneTargets &targets) override;
   void add_conditions(NodalConditions &conditions) const override;
   void place(NodalVectors &positions) const override;
   void add_potentials(PotentialSet &set) const override;
@@ -81,7 +81,6 @@ private:
 
   const EdgeLoop &line;
   DropletTargets drop;
-  SubstrateChart chart; ///< of the line's substrate
   std::map<std::size_t, Node> nodes;
   bool settling                               = false; ///< the line moves freely
   std::shared_ptr<LineFrictionState> friction = std::make_shared<LineFrictionState>();

@@ -26,7 +26,7 @@ public:
                std::vector<bool> exempt);
 
   const std::string &name() const override;
-  void renew(const SceneTargets &targets) override;
+  void take(const SceneTargets &targets) override;
   void add_conditions(NodalConditions &conditions) const override;
   std::size_t update(const SurfaceProblem &problem) override;
 

@@ -134,6 +134,7 @@ public:
 
 private:
   TermValues evaluate(const SurfaceState &state) const;
+  TermValues at_full_multiplier_fields(const std::vector<double> &direction) const;
   double merit_of(const TermValues &values, const std::vector<double> &of_state,
                   const std::vector<double> &direction) const;
   std::vector<double> full_step_multipliers(const std::vector<double> &direction) const;
@@ -152,8 +153,8 @@ private:
   std::vector<NodalChart> charts_here() const;
   NodalVectors transversal_directions() const;
   void keep_nodes_on_bodies(NodalChart &positions) const;
-  std::size_t n_rigid() const { return rigid_gauge ? surface.rigid_motions.size() : 0; }
   void find_material_nodes();
+  std::size_t n_rigid() const { return rigid_gauge ? surface.rigid_motions.size() : 0; }
   void renew_gauge();
 
   std::shared_ptr<PairTerms> pair_terms;

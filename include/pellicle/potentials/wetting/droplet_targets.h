@@ -46,5 +46,13 @@ struct DropletTargets
   bool has_base_membrane = false; ///< the wetted base is a region of the surface
   std::vector<std::shared_ptr<const RigidBody>> bodies;
   std::optional<PinningAngles> pinning; ///< of scenes whose contact line sticks
+  /** Of the base with the given line; the plane z = 0 if that base is a membrane. */
+  SubstrateChart chart_of(const std::string &line) const
+  {
+    for (const WettedBase &base : bases)
+      if (base.line == line)
+        return base.chart;
+    return PlaneChart{};
+  }
 };
 } // namespace pellicle
