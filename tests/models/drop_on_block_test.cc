@@ -100,11 +100,12 @@ public:
       apex   = std::max(apex, x[3 * I + 2]);
       lowest = std::min(lowest, x[3 * I + 2]);
     }
-    const double weight       = weight_density * volume;
-    result.height             = apex - lowest;
-    result.base_pressure      = -run.problem.state().multipliers[0] - weight_density * lowest;
-    result.radius             = std::sqrt(weight / (pi * result.base_pressure));
-    result.depression         = -lowest;
+    const double weight  = weight_density * volume;
+    result.height        = apex - lowest;
+    result.base_pressure = -run.problem.state().multipliers[0] - weight_density * lowest;
+    result.radius        = std::sqrt(weight / (pi * result.base_pressure));
+    for (const std::size_t I : all.bulks[0].faces.at("top"))
+      result.depression = std::max(result.depression, -x[3 * I + 2]);
     const NodalVectors forces = run.problem.nodal_forces().total;
     result.reaction           = 4. * force_along_z(forces, all.bulks[0].faces.at("bottom")) / weight;
     result.iterations         = iterations;
