@@ -45,22 +45,14 @@ public:
     run.parameters.step_limit = 1.;
   }
 
-  /** Both blocks shorter by d/2 in a homogeneous way, then equilibrium with the ends there. */
+  /** Both blocks shorter by d together in a homogeneous way, the softer one more, then equilibrium with the ends there.
+   */
   AugmentedResult press(const double d, const double tolerance)
   {
-    start_at(d, 0.5);
+    start_at(d, how.upper_stiffness / (1. + how.upper_stiffness));
     run.problem.set_pairs(std::make_shared<PairTerms>(std::vector<std::shared_ptr<PairTerm>>{pairs}, run.communicator));
     run.problem.use_chart(PositionChart::material, {});
     return solve_with_pairs(run, tolerance);
-  }
-  /** `share` of the shortening is the lower block's. */
-  void start_at(const double d, const double share)
-  {
-    NodalVectors x = both.positions;
-    for (std::size_t I = 0; I < both.n_nodes; ++I)
-      x[3 * I + 2] =
-          I < lower.n_nodes ? (1. - share * d) * x[3 * I + 2] : 2. - d - (1. - (1. - share) * d) * (2. - x[3 * I + 2]);
-    run.place(x);
   }
 
   /** Largest and smallest pressure. */
@@ -73,6 +65,16 @@ public:
   }
 
 private:
+  /** `share` of the shortening is the lower block's. */
+  void start_at(const double d, const double share)
+  {
+    NodalVectors x = both.positions;
+    for (std::size_t I = 0; I < both.n_nodes; ++I)
+      x[3 * I + 2] =
+          I < lower.n_nodes ? (1. - share * d) * x[3 * I + 2] : 2. - d - (1. - (1. - share) * d) * (2. - x[3 * I + 2]);
+    run.place(x);
+  }
+
   static std::vector<double> cut(const unsigned int n) { return cell_ends(0., 1., n); }
   void hold(SurfaceDiscretization &body, const bool upper_one) const
   {
@@ -151,23 +153,36 @@ TEST(BlockContact, PatchTestOfMatchingMeshes)
   }
 }
 
+// One multiplier for every slave point is more than the surface can follow on other meshes: single pressures stay
+// uneven (by 3 % here), while the force, which has no share in that, converges. The slave is the coarser side; the
+// other way round its points sit in the kinks between the master's cells, and Newton's method finds no end.
 TEST(BlockContact, PatchTestOfOtherMeshesConverges)
 {
   std::vector<double> errors;
   for (const unsigned int n : {2u, 4u})
   {
-    PressedBlocks blocks({2, n + n / 2, n, 1., false, 10., 1});
-    const AugmentedResult result = blocks.press(0.4, 1e-8);
+    TwoBlocks how;
+    how.n_lower  = n + n / 2;
+    how.n_upper  = n;
+    how.confined = true;
+    how.penalty  = 200.;
+    PressedBlocks blocks(how);
+    const AugmentedResult result = blocks.press(0.1, 1e-3);
     ASSERT_TRUE(result.converged) << result.failure;
-    const double expected = pressure_with_free_sides(0.8),
+    const double expected = pressure_if_confined(0.95, 1.),
                  force    = force_along_z(blocks.run.problem.pair_forces(), blocks.both.bulks[0].faces.at("top"));
     errors.push_back(std::abs(force - expected) / expected);
     const auto range = blocks.pressures();
+    EXPECT_LT(range.first, 1.03 * expected);
+    EXPECT_GT(range.second, 0.96 * expected);
+    EXPECT_LE(result.iterations, 15);
+    const auto &r = result.residuals; // with (115) quadratic at the end
+    for (std::size_t i = 0; i + 1 < r.size(); ++i)
+      EXPECT_TRUE(r[i] > 1e-2 || r[i] < 1e-6 || r[i + 1] < 10. * r[i] * r[i]) << i << ": " << r[i + 1];
     RecordProperty("force_error_" + std::to_string(n), std::to_string(errors.back()));
-    RecordProperty("pressure_range_" + std::to_string(n),
-                   std::to_string(range.second / expected) + " to " + std::to_string(range.first / expected));
   }
-  EXPECT_LT(errors[1], errors[0]);
+  EXPECT_LT(errors[0], 5e-3);
+  EXPECT_GT(std::log2(errors[0] / errors[1]), 1.4);
 }
 
 // Both blocks carry the same force; the penalty belongs to the softer one.
