@@ -7,6 +7,7 @@
 #include <pellicle/models/free_motions.h>
 #include <pellicle/models/line_pinning.h>
 #include <pellicle/models/nodal_contact.h>
+#include <pellicle/models/sample_substrate.h>
 #include <pellicle/potentials/wetting/line_pinning.h>
 
 #include <cmath>
@@ -201,11 +202,13 @@ void DropletScene::set_targets(const Scales &scales, SceneTargets &targets) cons
   const Substrate lower                = make_substrate(substrate, scales.length);
   const std::optional<Substrate> upper = make_upper_plate(substrate, scales.length);
   drop.bodies                          = {lower.body};
+  drop.walls                           = {lower.chart};
   if (is_cap_only())
     drop.bases.push_back({contact_line, lower.chart});
   if (upper)
   {
     drop.bodies.push_back(upper->body);
+    drop.walls.push_back(upper->chart);
     if (is_cap_only())
       drop.bases.push_back({upper_contact_line, upper->chart});
   }
@@ -306,6 +309,11 @@ std::optional<NodalVectors> DropletScene::reference_positions() const
 SurfaceMeasures DropletScene::measures(const Scales & /*scales*/) const
 {
   return measure_droplet;
+}
+
+Surroundings DropletScene::surroundings() const
+{
+  return sample_substrate;
 }
 
 DropletScene make_droplet_scene(const EffectLibrary &library, const std::vector<std::string> &effects,

@@ -64,6 +64,7 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
     , unit(scene.scales())
     , timing(timing)
     , discretization(scene.start_mesh())
+    , own_surroundings(scene.surroundings())
     , own_measures(scene.measures(unit))
     , stability_parameters(scene.stability)
     , analyses_stability(scene.has_analysis("stability"))

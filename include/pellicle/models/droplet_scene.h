@@ -46,6 +46,7 @@ public:
   std::vector<std::unique_ptr<ActiveSet>> active_sets(const SurfaceDiscretization &surface,
                                                       const SceneTargets &targets) const override;
   SurfaceMeasures measures(const Scales &scales) const override;
+  Surroundings surroundings() const override;
 
 protected:
   void add_own_sections(std::vector<ParameterSection> &all) override;

@@ -45,6 +45,7 @@ struct DropletTargets
   std::vector<WettedBase> bases;
   bool has_base_membrane = false; ///< the wetted base is a region of the surface
   std::vector<std::shared_ptr<const RigidBody>> bodies;
+  std::vector<SubstrateChart> walls;    ///< their surfaces, one each
   std::optional<PinningAngles> pinning; ///< of scenes whose contact line sticks
   /** Of the base with the given line; the plane z = 0 if that base is a membrane. */
   SubstrateChart chart_of(const std::string &line) const
