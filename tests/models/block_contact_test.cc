@@ -178,8 +178,7 @@ TEST(BlockContact, PatchTestOfOtherMeshesConverges)
     EXPECT_LE(result.iterations, 15);
     const auto &r = result.residuals; // with (115) quadratic at the end
     for (std::size_t i = 0; i + 1 < r.size(); ++i)
-      if (r[i] < 1e-2 && r[i] > 1e-6)
-        EXPECT_LT(r[i + 1], 10. * r[i] * r[i]) << i;
+      EXPECT_TRUE(r[i] > 1e-2 || r[i] < 1e-6 || r[i + 1] < 10. * r[i] * r[i]) << i << ": " << r[i + 1];
     RecordProperty("force_error_" + std::to_string(n), std::to_string(errors.back()));
   }
   EXPECT_LT(errors[0], 5e-3);

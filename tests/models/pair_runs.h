@@ -6,11 +6,14 @@
 
 #include <pellicle/assembly/contact_pairs.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/edge_loops.h>
 #include <pellicle/discretization/joined.h>
 #include <pellicle/models/contact_augmentation.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -41,6 +44,35 @@ inline std::shared_ptr<const Potential> solid_of(const SurfaceDiscretization &al
       ElasticBody<NeoHookeanSolid>{
           law, std::make_shared<const std::vector<ReferenceBasis>>(reference_bases(part, all.positions))},
       Where{Where::Part::bulk, part.name});
+}
+
+/** Some cells of a surface with the nodes that they have, and their rims, named "rim". */
+inline SurfaceDiscretization part_of(const SurfaceDiscretization &whole, const std::function<bool(std::size_t)> &wanted,
+                                     const unsigned int n_gauss)
+{
+  SurfaceDiscretization part;
+  part.degree = whole.degree;
+  part.tables = make_surface_tables(whole.degree, n_gauss);
+  std::map<std::size_t, std::size_t> number;
+  for (std::size_t c = 0; c < whole.n_cells; ++c)
+  {
+    if (!wanted(c))
+      continue;
+    ++part.n_cells;
+    for (std::size_t i = 0; i < whole.n_local(); ++i)
+    {
+      const std::size_t node     = whole.cell_nodes[c * whole.n_local() + i];
+      const auto [found, is_new] = number.emplace(node, number.size());
+      part.cell_nodes.push_back(found->second);
+      if (is_new)
+        part.positions.insert(part.positions.end(), whole.positions.begin() + 3 * node,
+                              whole.positions.begin() + 3 * node + 3);
+    }
+  }
+  part.n_nodes        = number.size();
+  part.mesh_reference = part.positions;
+  part.edges          = find_rims(part, [](const Vector3<double> &) { return std::string("rim"); });
+  return part;
 }
 
 /** Residuals of Newton's iterations. */
