@@ -225,7 +225,9 @@ def main_view(surface, colours, beside):
 
     # Tall shapes are seen from the side, flat ones from well above, where their dimples show.
     flatness = max(size[0], size[1]) / max(size[2], 1e-300)
-    elevation = math.radians(18 if flatness < 0.9 else 38) * camera_side(surface)
+    elevation = math.radians(18 if flatness < 0.9 or beside is not None else 38)
+    if beside is None:  # what lies on a body is not seen from below
+        elevation *= camera_side(surface)
     azimuth = math.radians(-60)
     direction = (math.cos(elevation) * math.cos(azimuth), math.cos(elevation) * math.sin(azimuth), math.sin(elevation))
     camera = renderer.GetActiveCamera()
@@ -234,7 +236,7 @@ def main_view(surface, colours, beside):
     camera.SetViewUp(0, 0, 1)
     camera.SetViewAngle(22)
     renderer.ResetCamera()
-    fill_view(renderer, surface)
+    fill_view(renderer, surface if beside is None else beside)
 
     renderer.AutomaticLightCreationOff()
     key, fill = ((-0.9, 1.3, 1.4), 0.78, (1.0, 0.985, 0.96)), ((1.6, 0.2, 1.0), 0.30, (0.93, 0.96, 1.0))
