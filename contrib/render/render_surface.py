@@ -3,10 +3,11 @@
 """Draws a surface from a high-order VTU file into a PNG file, coloured by one of its fields.
 
     xvfb-run -a /usr/bin/python3 render_surface.py solution_0004.vtu picture.png [--field FIELD] [--title TEXT]
+        [--beside substrate.vtu]
 
 The field is mean_curvature_outward unless said otherwise. Left: the surface in three-quarter view, from the side that
 shows the deeper dimple. Right: its section by the x-z plane through the centre, in the same colours. Below: the colour
-bar. Needs the Debian packages python3-vtk9, xvfb and xauth; nothing else. Exit status: 0 picture written; 1 the file
+bar. What is in the file beside is drawn in grey: bodies that the surface touches. Needs the Debian packages python3-vtk9, xvfb and xauth; nothing else. Exit status: 0 picture written; 1 the file
 cannot be drawn; 3 VTK is not installed. The last line printed says why.
 """
 import argparse
@@ -38,6 +39,7 @@ WIDTH, HEIGHT = 1400, 1050
 MAIN_VIEW = (0.0, 0.16, 0.68, 0.92)  # left, bottom, right, top as parts of the picture
 SECTION_VIEW = (0.68, 0.30, 1.0, 0.84)
 INK = (0.13, 0.14, 0.17)
+STONE = (0.55, 0.56, 0.58)
 TITLES = {"mean_curvature_outward": "Mean curvature (positive on a sphere)", "gauss_curvature": "Gauss curvature"}
 
 
@@ -173,7 +175,34 @@ def box_of(surface):
     return [(a + b) / 2 for a, b in zip(low, high)], [b - a for a, b in zip(low, high)]
 
 
-def main_view(surface, colours):
+def facets_of(path):
+    """Triangles of a VTU file without colours, with normals."""
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    facets = vtkDataSetSurfaceFilter()
+    facets.SetInputConnection(reader.GetOutputPort())
+    facets.SetNonlinearSubdivisionLevel(1)
+    normals = vtkPolyDataNormals()
+    normals.SetInputConnection(facets.GetOutputPort())
+    normals.SplittingOff()
+    normals.Update()
+    if normals.GetOutput().GetNumberOfCells() == 0:
+        raise CannotDraw(f"{path} holds no surface.")
+    return normals.GetOutput()
+
+
+def grey_actor(algorithm, opacity):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(algorithm.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(*STONE)
+    actor.GetProperty().SetOpacity(opacity)
+    return actor
+
+
+def main_view(surface, colours, beside):
     """The shaded surface."""
     centre, size = box_of(surface)
     renderer = vtkRenderer()
@@ -189,6 +218,10 @@ def main_view(surface, colours):
     look.SetSpecular(0.22)
     look.SetSpecularPower(28)
     renderer.AddActor(actor)
+    if beside is not None:
+        bodies = vtkTrivialProducer()
+        bodies.SetOutput(beside)
+        renderer.AddActor(grey_actor(bodies, 0.35))
 
     # Tall shapes are seen from the side, flat ones from well above, where their dimples show.
     flatness = max(size[0], size[1]) / max(size[2], 1e-300)
@@ -254,7 +287,7 @@ def all_closed(lines):
                for line in (lines.GetCell(i) for i in range(lines.GetNumberOfCells())))
 
 
-def section_view(surface, colours):
+def section_view(surface, colours, beside):
     """The section by the plane y = const through the centre: a coloured line about a light grey inside."""
     centre, size = box_of(surface)
     plane = vtkPlane()
@@ -295,6 +328,18 @@ def section_view(surface, colours):
     outline = coloured_actor(tube, colours)
     outline.GetProperty().LightingOff()
     renderer.AddActor(outline)
+
+    if beside is not None:
+        through = vtkCutter()
+        through.SetInputData(beside)
+        through.SetCutFunction(plane)
+        wall = vtkTubeFilter()
+        wall.SetInputConnection(through.GetOutputPort())
+        wall.SetRadius(0.009 * half_height)
+        wall.SetNumberOfSides(8)
+        body = grey_actor(wall, 1)
+        body.GetProperty().LightingOff()
+        renderer.AddActor(body)
 
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
@@ -364,7 +409,7 @@ def colour_bar(colours, low, high):
     return bar
 
 
-def draw(surface, field, title):
+def draw(surface, field, title, beside):
     """The render window with everything in it."""
     low, high = colour_range(surface, field)
     colours = colour_map(low, high)
@@ -378,7 +423,7 @@ def draw(surface, field, title):
     paper = vtkRenderer()
     paper.SetBackground(1, 1, 1)
     window.AddRenderer(paper)
-    for view in (main_view(surface, colours), section_view(surface, colours)):
+    for view in (main_view(surface, colours, beside), section_view(surface, colours, beside)):
         window.AddRenderer(view)
     page = vtkRenderer()
     page.SetLayer(1)
@@ -417,9 +462,12 @@ def main():
     parser.add_argument("png")
     parser.add_argument("--field", default="mean_curvature_outward", help="scalar point field that gives the colours")
     parser.add_argument("--title", default="")
+    parser.add_argument("--beside", default="", help="VTU file of bodies to be drawn in grey")
     arguments = parser.parse_args()
     try:
-        write_picture(draw(read_surface(arguments.vtu, arguments.field), arguments.field, arguments.title), arguments.png)
+        beside = facets_of(arguments.beside) if arguments.beside else None
+        surface = read_surface(arguments.vtu, arguments.field)
+        write_picture(draw(surface, arguments.field, arguments.title, beside), arguments.png)
     except CannotDraw as error:
         print(error, file=sys.stderr)
         sys.exit(1)

@@ -64,12 +64,21 @@ void RunOutput::draw(const SurfaceModel &model, RunResult &result)
   const fs::path vtu = last_solution.empty() ? directory / "picture.vtu" : last_solution;
   if (last_solution.empty())
     write_vtu(vtu, model.sample());
-  if (const std::optional<std::string> reason = render_picture(vtu, directory / "picture.png", result.application))
+  const SurfaceSample bodies = model.surroundings();
+  const fs::path beside      = bodies.n_cells > 0 ? directory / "substrate.vtu" : fs::path();
+  if (!beside.empty())
+    write_vtu(beside, bodies);
+  if (const std::optional<std::string> reason =
+          render_picture(vtu, beside, directory / "picture.png", result.application))
   {
     progress->on_message(*reason);
     result.warnings.push_back(*reason);
   }
   if (last_solution.empty())
+  {
     fs::remove(vtu);
+    if (!beside.empty())
+      fs::remove(beside);
+  }
 }
 } // namespace pellicle

@@ -104,8 +104,10 @@ void gather_inputs(const ShapeTables &tables, const std::size_t *nodes, const Fi
 TermValues Assembler::loop(const PotentialSet &set, const FieldValues &values, const std::vector<double> &multipliers,
                            const Order order, const Visitor &visitor)
 {
-  TermValues result{std::vector<double>(set.energies.size(), 0.), std::vector<double>(set.constraints.size(), 0.),
-                    std::vector<double>(set.constraints.size(), 0.)};
+  TermValues result{std::vector<double>(set.energies.size(), 0.),
+                    std::vector<double>(set.constraints.size(), 0.),
+                    std::vector<double>(set.constraints.size(), 0.),
+                    {}};
   Element element;
   std::vector<std::vector<double>> constraint_gradients(set.constraints.size());
 

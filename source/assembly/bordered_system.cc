@@ -41,41 +41,56 @@ std::size_t Numbering::n_unknowns_of(const std::size_t field) const
 
 BorderedSystem::BorderedSystem(const SurfaceDiscretization &discretization, Numbering numbering,
                                const Communicator &communicator)
-    : communicator(communicator)
+    : discretization(discretization)
+    , communicator(communicator)
     , unknowns(std::move(numbering))
 {
-  make_pattern(own_cells(discretization, communicator));
+  make_pattern();
   constraint_rows.resize(unknowns.n_constraints);
 }
 
-void BorderedSystem::cell_unknowns(const Cell &cell, std::vector<int> &list) const
+// Of the first fields.
+void BorderedSystem::cell_unknowns(const Cell &cell, const std::size_t n_fields, std::vector<int> &list) const
 {
   list.clear();
   for (std::size_t i = 0; i < cell.n_nodes; ++i)
-    for (std::size_t f = 0; f < unknowns.n_fields(); ++f)
+    for (std::size_t f = 0; f < n_fields; ++f)
       for (unsigned int j = 0; j < unknowns.count(f, cell.nodes[i]); ++j)
         list.push_back(static_cast<int>(unknowns.first_of(f, cell.nodes[i]) + j));
 }
 
 // Rows of nodal unknowns couple through cells; border rows (and columns, unless the matrix is symmetric) are dense.
-void BorderedSystem::make_pattern(const std::vector<Cell> &cells)
+void BorderedSystem::make_pattern()
 {
-  const bool mesh_equations = std::any_of(unknowns.charts.begin(), unknowns.charts.end(),
-                                          [](const NodalChart &c) { return c.has_mesh_equations(); });
-  sparse.symmetry           = mesh_equations ? MatrixSymmetry::general : MatrixSymmetry::symmetric;
-  const bool lower          = sparse.symmetry == MatrixSymmetry::symmetric;
+  const std::vector<Cell> cells = own_cells(discretization, communicator);
+  const bool mesh_equations     = std::any_of(unknowns.charts.begin(), unknowns.charts.end(),
+                                              [](const NodalChart &c) { return c.has_mesh_equations(); });
+  sparse.symmetry               = mesh_equations ? MatrixSymmetry::general : MatrixSymmetry::symmetric;
+  const bool lower              = sparse.symmetry == MatrixSymmetry::symmetric;
   const int n_nodal = static_cast<int>(unknowns.n_nodal), n = static_cast<int>(unknowns.size());
   sparse.size = n;
 
   std::vector<std::vector<int>> rows(n_nodal);
-  for (const Cell &cell : cells)
+  const auto couple = [&]
   {
-    cell_unknowns(cell, cell_list);
     for (const int i : cell_list)
       for (const int j : cell_list)
         if (!lower || j <= i)
           rows[i].push_back(j);
+  };
+  for (const Cell &cell : cells)
+  {
+    cell_unknowns(cell, unknowns.n_fields(), cell_list);
+    couple();
   }
+  for (const std::vector<std::size_t> &nodes : couplings)
+  {
+    cell_unknowns({0, 0, 0, nodes.data(), nodes.size()}, 1, cell_list);
+    couple();
+  }
+  sparse.columns.clear();
+  scatter_start.clear();
+  scatter.clear();
   sparse.row_start.assign(1, 0);
   diagonal.assign(n, -1);
   for (int i = 0; i < n; ++i)
@@ -104,17 +119,28 @@ void BorderedSystem::make_pattern(const std::vector<Cell> &cells)
 
   for (const Cell &cell : cells)
   {
-    cell_unknowns(cell, cell_list);
+    cell_unknowns(cell, unknowns.n_fields(), cell_list);
     scatter_start.push_back(scatter.size());
     for (const int i : cell_list)
-    {
-      const auto begin = sparse.columns.begin() + sparse.row_start[i],
-                 end   = sparse.columns.begin() + sparse.row_start[i + 1];
       for (const int j : cell_list)
-        scatter.push_back(!lower || j <= i ? static_cast<int>(std::lower_bound(begin, end, j) - sparse.columns.begin())
-                                           : -1);
-    }
+        scatter.push_back(!lower || j <= i ? place_of(i, j) : -1);
   }
+}
+
+int BorderedSystem::place_of(const int row, const int column) const
+{
+  const auto begin = sparse.columns.begin() + sparse.row_start[row],
+             end   = sparse.columns.begin() + sparse.row_start[row + 1];
+  return static_cast<int>(std::lower_bound(begin, end, column) - sparse.columns.begin());
+}
+
+void BorderedSystem::make_room(const std::vector<ContactElement> &elements)
+{
+  const std::size_t before = couplings.size();
+  for (const ContactElement &element : elements)
+    couplings.insert(element.nodes);
+  if (couplings.size() > before)
+    make_pattern();
 }
 
 void BorderedSystem::begin()
@@ -134,7 +160,7 @@ void BorderedSystem::begin()
 // Z^T K Z for the cell, rows of mesh equations from the mesh energy.
 void BorderedSystem::project(const Cell &cell, const Element &physics, const Element *mesh)
 {
-  const std::size_t n_local = cell.n_nodes, n_fields = unknowns.n_fields();
+  const std::size_t n_local = cell.n_nodes, n_fields = physics.n_rows / (3 * n_local);
   const std::size_t *nodes = cell.nodes;
   const std::size_t m      = cell_list.size();
   projected.assign(m * m, 0.);
@@ -200,10 +226,10 @@ void BorderedSystem::project(const Cell &cell, const Element &physics, const Ele
 // of nodes on bodies, x -> closest point of x + d: -(g . n) (d . hessian d)/2.
 void BorderedSystem::curve(const Cell &cell, const Element &physics, const Element *mesh)
 {
-  const std::size_t m = cell_list.size();
-  std::size_t row     = 0;
+  const std::size_t m = cell_list.size(), n_fields = physics.n_rows / (3 * cell.n_nodes);
+  std::size_t row = 0;
   for (std::size_t i = 0; i < cell.n_nodes; ++i)
-    for (std::size_t f = 0; f < unknowns.n_fields(); ++f)
+    for (std::size_t f = 0; f < n_fields; ++f)
     {
       const unsigned int n_rows = unknowns.count(f, cell.nodes[i]);
       if (n_rows > 0 && !unknowns.charts[f].unit_vectors.empty())
@@ -240,7 +266,7 @@ void BorderedSystem::add_cell(const Cell &cell, const Element &physics,
                               const std::vector<std::vector<double>> &constraint_gradients, const Element *mesh)
 {
   add_cell_residual(cell, physics, constraint_gradients, mesh);
-  cell_unknowns(cell, cell_list);
+  cell_unknowns(cell, unknowns.n_fields(), cell_list);
   const std::size_t m = cell_list.size();
   project(cell, physics, mesh);
   curve(cell, physics, mesh);
@@ -254,8 +280,9 @@ void BorderedSystem::add_cell_residual(const Cell &cell, const Element &physics,
                                        const std::vector<std::vector<double>> &constraint_gradients,
                                        const Element *mesh)
 {
+  const std::size_t n_fields = physics.n_rows / (3 * cell.n_nodes);
   for (std::size_t i = 0; i < cell.n_nodes; ++i)
-    for (std::size_t f = 0; f < unknowns.n_fields(); ++f)
+    for (std::size_t f = 0; f < n_fields; ++f)
       for (unsigned int a = 0; a < unknowns.count(f, cell.nodes[i]); ++a)
       {
         const NodalChart::Node &node = unknowns.charts[f].nodes[cell.nodes[i]];
@@ -273,10 +300,25 @@ void BorderedSystem::add_cell_residual(const Cell &cell, const Element &physics,
           right[unknown] += r;
           contributions[unknown] += std::abs(r);
         }
-        for (std::size_t k = 0; k < unknowns.n_constraints; ++k)
+        for (std::size_t k = 0; k < constraint_gradients.size(); ++k)
           if (!constraint_gradients[k].empty())
             constraint_rows[k][unknown] += along_z(constraint_gradients[k]);
       }
+}
+
+void BorderedSystem::add_pair(const ContactElement &element)
+{
+  const Cell cell{0, 0, 0, element.nodes.data(), element.nodes.size()};
+  add_cell_residual(cell, element.derivatives, {}, nullptr);
+  cell_unknowns(cell, 1, cell_list);
+  project(cell, element.derivatives, nullptr);
+  curve(cell, element.derivatives, nullptr);
+  const std::size_t m = cell_list.size();
+  const bool lower    = sparse.symmetry == MatrixSymmetry::symmetric;
+  for (std::size_t a = 0; a < m; ++a)
+    for (std::size_t b = 0; b < m; ++b)
+      if (!lower || cell_list[b] <= cell_list[a])
+        sparse.values[place_of(cell_list[a], cell_list[b])] += projected[a * m + b];
 }
 
 void BorderedSystem::set_constraint(const std::size_t k, const double compliance, const double residual)

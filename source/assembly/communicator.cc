@@ -27,4 +27,11 @@ void Communicator::sum(std::vector<double> &values) const
   if (n_processes > 1)
     MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
 }
+
+double Communicator::largest(double value) const
+{
+  if (n_processes > 1)
+    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  return value;
+}
 } // namespace pellicle

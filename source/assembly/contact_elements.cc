@@ -3,7 +3,7 @@
 
 namespace pellicle
 {
-ContactElementSums::ContactElementSums(const SurfaceCells &slave, const SurfaceCells &master, const Order order)
+ContactElementSums::ContactElementSums(const SlavePoints &slave, const SurfaceCells &master, const Order order)
     : slave(slave)
     , master(master)
     , order(order)

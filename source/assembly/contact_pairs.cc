@@ -64,8 +64,15 @@ private:
 } // namespace
 
 ContactPairs::ContactPairs(const SurfaceCells &slave, SurfaceCells master, const NodalVectors &reference,
-                           const ContactLaw &law)
-    : slave_points(slave, reference, slave.degree + 1 + law.extra_gauss_points)
+                           const ContactLaw &law, std::string name)
+    : ContactPairs(SlavePoints(slave, reference, slave.degree + 1 + law.extra_gauss_points), std::move(master), law,
+                   std::move(name))
+{
+}
+
+ContactPairs::ContactPairs(SlavePoints slave, SurfaceCells master, const ContactLaw &law, std::string name)
+    : own_name(std::move(name))
+    , slave_points(std::move(slave))
     , search(std::move(master), law.limits)
     , law(law)
     , second_variation(gap_second_variation(law.second_variation))
@@ -73,28 +80,37 @@ ContactPairs::ContactPairs(const SurfaceCells &slave, SurfaceCells master, const
 {
   if (!(law.penalty > 0.))
     throw UserError("The penalty of contact is " + std::to_string(law.penalty) + "; it must be > 0.");
+  PELLICLE_ASSERT(law.measure == ContactMeasure::reference || !slave_points.on_line,
+                  "contact on lines is per reference length");
+}
+
+bool ContactPairs::touches(const ContactPoint &state) const
+{
+  return state.partner && (state.pressure > 0. || law.sides == ContactSides::two);
 }
 
 ContactElements ContactPairs::evaluate(const NodalVectors &positions, const Order order)
 {
   search.update(positions);
-  ContactElementSums sums(slave_points.cells, search.master(), order);
-  for_all_cells(slave_points.tables, slave_points.cells.cell_nodes, positions, 3,
+  ContactElementSums sums(slave_points, search.master(), order);
+  for_all_cells(slave_points.tables, slave_points.cell_nodes, positions, 3,
                 [&](const WalkCell &cell)
                 {
-                  for (unsigned int q = 0; q < cell.tables.n_points; ++q)
+                  for (unsigned int q = 0; q < cell.tables.n_points && slave_points.is_own(cell.number); ++q)
                   {
-                    const WalkPoint at      = cell[q];
-                    const std::size_t i     = cell.number * cell.tables.n_points + q;
-                    ContactPoint &state     = states[i];
-                    const double p          = state.multiplier;
-                    const auto previous     = state.partner ? std::optional(state.partner->cell) : std::nullopt;
-                    state.partner           = search.closest(at[0], cross(at[1], at[2]), previous);
-                    state.pressure          = state.partner ? std::max(0., p - law.penalty * state.partner->gap) : 0.;
+                    const WalkPoint at  = cell[q];
+                    const std::size_t i = cell.number * cell.tables.n_points + q;
+                    ContactPoint &state = states[i];
+                    const double p      = state.multiplier;
+                    const auto previous = state.partner ? std::optional(state.partner->cell) : std::nullopt;
+                    state.partner       = search.closest(at[0], cross(at[1], at[2]), previous);
+                    state.pressure      = state.partner ? p - law.penalty * state.partner->gap : 0.;
+                    if (law.sides == ContactSides::one)
+                      state.pressure = std::max(0., state.pressure);
                     const bool of_reference = law.measure == ContactMeasure::reference;
                     const double area       = of_reference ? slave_points.reference_areas[i] : at.area();
                     sums.sums.energy += area * (state.pressure * state.pressure - p * p) / (2. * law.penalty);
-                    if (state.pressure > 0.)
+                    if (touches(state))
                     {
                       ++sums.sums.n_active;
                       sums.select(cell.number, state.partner->cell, slave_points.shapes(q));
@@ -136,15 +152,22 @@ void ContactPairs::add_point(const WalkPoint &at, const double area, const Conta
   }
 }
 
-double ContactPairs::augment()
+MultiplierChange ContactPairs::pending() const
 {
-  double change = 0., largest = 0.;
-  for (ContactPoint &state : states)
+  MultiplierChange change;
+  for (const ContactPoint &state : states)
   {
-    change           = std::max(change, std::abs(state.pressure - state.multiplier));
-    largest          = std::max(largest, state.pressure);
-    state.multiplier = state.pressure;
+    change.largest_change   = std::max(change.largest_change, std::abs(state.pressure - state.multiplier));
+    change.largest_traction = std::max(change.largest_traction, std::abs(state.pressure));
   }
-  return largest > 0. ? change / largest : 0.;
+  return change;
+}
+
+MultiplierChange ContactPairs::augment()
+{
+  const MultiplierChange change = pending();
+  for (ContactPoint &state : states)
+    state.multiplier = state.pressure;
+  return change;
 }
 } // namespace pellicle

@@ -4,6 +4,7 @@
 #include <pellicle/discretization/point_walk.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -31,8 +32,16 @@ std::vector<double> row_along(const Vector3<double> &v, const std::vector<double
 } // namespace
 
 ContactTies::ContactTies(const SurfaceCells &slave_cells, SurfaceCells master_cells, const NodalVectors &positions,
-                         const double penalty, const SearchLimits &limits)
-    : slave(slave_cells, positions, slave_cells.degree + 1)
+                         const double penalty, const SearchLimits &limits, std::string name)
+    : ContactTies(SlavePoints(slave_cells, positions, slave_cells.degree + 1), std::move(master_cells), positions,
+                  penalty, limits, std::move(name))
+{
+}
+
+ContactTies::ContactTies(SlavePoints slave_points, SurfaceCells master_cells, const NodalVectors &positions,
+                         const double penalty, const SearchLimits &limits, std::string name)
+    : own_name(std::move(name))
+    , slave(std::move(slave_points))
     , master(std::move(master_cells))
     , penalty(penalty)
 {
@@ -40,7 +49,7 @@ ContactTies::ContactTies(const SurfaceCells &slave_cells, SurfaceCells master_ce
     throw UserError("The penalty of a tie is " + std::to_string(penalty) + "; it must be > 0.");
   ContactSearch search(master, limits);
   search.update(positions);
-  for_all_cells(slave.tables, slave.cells.cell_nodes, positions, 3,
+  for_all_cells(slave.tables, slave.cell_nodes, positions, 3,
                 [&](const WalkCell &cell)
                 {
                   for (unsigned int q = 0; q < cell.tables.n_points; ++q)
@@ -48,7 +57,7 @@ ContactTies::ContactTies(const SurfaceCells &slave_cells, SurfaceCells master_ce
                     const auto partner = search.closest(cell[q][0], cross(cell[q][1], cell[q][2]));
                     if (partner)
                       ties.push_back({cell.number, q, partner->cell, partner->at.xi,
-                                      master_point(search.shape(partner->cell), partner->at).values,
+                                      master_point(search.shape(partner->cell), partner->at).values, Vector3<double>(),
                                       Vector3<double>()});
                   }
                 });
@@ -56,23 +65,26 @@ ContactTies::ContactTies(const SurfaceCells &slave_cells, SurfaceCells master_ce
 
 Vector3<double> ContactTies::gap(const TiedPoint &tie, const NodalVectors &positions) const
 {
-  return interpolate(slave.shapes(tie.q), slave.cells.nodes(tie.slave_cell), slave.cells.n_local(), positions) -
+  return interpolate(slave.shapes(tie.q), slave.nodes(tie.slave_cell), slave.n_local(), positions) -
          interpolate(tie.shapes.data(), master.nodes(tie.master_cell), master.n_local(), positions);
 }
 
-ContactElements ContactTies::evaluate(const NodalVectors &positions, const Order order) const
+ContactElements ContactTies::evaluate(const NodalVectors &positions, const Order order)
 {
-  ContactElementSums sums(slave.cells, master, order);
-  sums.sums.n_active = ties.size();
-  for (const TiedPoint &tie : ties)
+  ContactElementSums sums(slave, master, order);
+  for (TiedPoint &tie : ties)
   {
+    if (!slave.is_own(tie.slave_cell))
+      continue;
+    ++sums.sums.n_active;
     const Vector3<double> g = gap(tie, positions);
     const double area       = slave.reference_areas[tie.slave_cell * slave.tables.n_points + tie.q];
+    tie.traction            = tie.multiplier - penalty * g;
     sums.sums.energy += area * (0.5 * penalty * dot(g, g) - dot(tie.multiplier, g));
     if (!sums.wants(Order::gradient))
       continue;
     sums.select(tie.slave_cell, tie.master_cell, slave.shapes(tie.q));
-    sums.add_gradient(area, sums.at_nodes(row_along(penalty * g - tie.multiplier, tie.shapes)));
+    sums.add_gradient(area, sums.at_nodes(row_along(-1. * tie.traction, tie.shapes)));
     if (sums.wants(Order::hessian))
     {
       DenseMatrix matrix(3 * (1 + master.n_local()));
@@ -88,16 +100,33 @@ ContactElements ContactTies::evaluate(const NodalVectors &positions, const Order
   return std::move(sums.sums);
 }
 
-double ContactTies::augment(const NodalVectors &positions)
+MultiplierChange ContactTies::pending() const
 {
-  double change = 0., largest = 0.;
-  for (TiedPoint &tie : ties)
+  MultiplierChange change;
+  for (const TiedPoint &tie : ties)
   {
-    const Vector3<double> step = penalty * gap(tie, positions);
-    tie.multiplier -= step;
-    change  = std::max(change, norm(step));
-    largest = std::max(largest, norm(tie.multiplier));
+    change.largest_change   = std::max(change.largest_change, norm(tie.traction - tie.multiplier));
+    change.largest_traction = std::max(change.largest_traction, norm(tie.traction));
   }
-  return largest > 0. ? change / largest : 0.;
+  return change;
+}
+
+MultiplierChange ContactTies::augment()
+{
+  const MultiplierChange change = pending();
+  for (TiedPoint &tie : ties)
+    tie.multiplier = tie.traction;
+  return change;
+}
+
+std::vector<std::size_t> ContactTies::material_nodes() const
+{
+  std::set<std::size_t> nodes;
+  for (const TiedPoint &tie : ties)
+  {
+    nodes.insert(slave.nodes(tie.slave_cell), slave.nodes(tie.slave_cell) + slave.n_local());
+    nodes.insert(master.nodes(tie.master_cell), master.nodes(tie.master_cell) + master.n_local());
+  }
+  return {nodes.begin(), nodes.end()};
 }
 } // namespace pellicle

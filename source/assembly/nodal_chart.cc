@@ -61,13 +61,22 @@ bool NodalChart::has_mesh_equations() const
                      { return node.mesh_equation[0] || node.mesh_equation[1] || node.mesh_equation[2]; });
 }
 
+void free_nodes(const SurfaceDiscretization &discretization, const std::vector<bool> &material, NodalChart &chart)
+{
+  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+    if (material[I])
+    {
+      chart.nodes[I] = {};
+      for (const Direction &d : admissible_directions(discretization, I))
+        append_column(chart.nodes[I], d, false);
+    }
+}
+
 NodalChart free_chart(const SurfaceDiscretization &discretization)
 {
   NodalChart chart;
   chart.nodes.resize(discretization.n_nodes);
-  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
-    for (const Direction &d : admissible_directions(discretization, I))
-      append_column(chart.nodes[I], d, false);
+  free_nodes(discretization, std::vector<bool>(discretization.n_nodes, true), chart);
   return chart;
 }
 
@@ -77,7 +86,8 @@ NodalChart graph_chart(const SurfaceDiscretization &discretization, const NodalV
   NodalChart chart;
   chart.nodes.resize(discretization.n_nodes);
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
-    append_column(chart.nodes[I], vector_at(normals, I), false);
+    if (norm(vector_at(normals, I)) > 0.)
+      append_column(chart.nodes[I], vector_at(normals, I), false);
   for (const auto &[I, nu] : nodal_conormals(discretization, positions, normals))
     append_column(chart.nodes[I], nu, false);
   return chart;
@@ -124,7 +134,12 @@ NodalChart edge_scalar_chart(const SurfaceDiscretization &discretization)
   return chart;
 }
 
-NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const NodalVectors &positions)
+namespace
+{
+/** Sums of x,1 x x,2 over the cells at each node, `counts`: which cells do. */
+template <typename Counts>
+NodalVectors sums_of_normals(const SurfaceDiscretization &discretization, const NodalVectors &positions,
+                             const Counts &counts)
 {
   const bool meridian            = discretization.kind == SurfaceDiscretization::Kind::meridian;
   const std::vector<double> line = line_nodes(discretization.degree);
@@ -134,16 +149,33 @@ NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const No
   const ShapeTables tables = make_tables_at(discretization.kind, discretization.degree, sites);
 
   NodalVectors normals(3 * discretization.n_nodes, 0.);
-  for_all_points(tables, discretization.cell_nodes, positions, 3,
-                 [&](const WalkPoint &x)
-                 {
-                   // On a meridian x,2 = r e_y vanishes at the poles, its direction does not.
-                   const Vector3<double> N = cross(x[1], meridian ? Vector3<double>(0., 1., 0.) : x[2]);
-                   for (unsigned int c = 0; c < 3; ++c)
-                     normals[3 * x.nodes[x.q] + c] += N[c];
-                 });
+  for_all_cells(tables, discretization.cell_nodes, positions, 3,
+                [&](const WalkCell &cell)
+                {
+                  if (!counts(cell.number))
+                    return;
+                  for (unsigned int q = 0; q < tables.n_points; ++q)
+                  {
+                    // On a meridian x,2 = r e_y vanishes at the poles, its direction does not.
+                    const Vector3<double> N = cross(cell[q][1], meridian ? Vector3<double>(0., 1., 0.) : cell[q][2]);
+                    for (unsigned int c = 0; c < 3; ++c)
+                      normals[3 * cell.nodes[q] + c] += N[c];
+                  }
+                });
+  return normals;
+}
+} // namespace
+
+NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const NodalVectors &positions)
+{
+  NodalVectors normals = sums_of_normals(discretization, positions, [](const std::size_t) { return true; });
+  std::vector<bool> on_surface(discretization.n_nodes, false);
+  for (const std::size_t node : discretization.cell_nodes)
+    on_surface[node] = true;
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
   {
+    if (!on_surface[I])
+      continue;
     const Vector3<double> sum = vector_at(normals, I);
     Vector3<double> d;
     for (const Direction &e : admissible_directions(discretization, I))
@@ -152,6 +184,26 @@ NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const No
     PELLICLE_ASSERT(length > 0., "a node without a normal");
     for (unsigned int c = 0; c < 3; ++c)
       normals[3 * I + c] = d[c] / length;
+  }
+  return normals;
+}
+
+NodalVectors nodal_normals_at_edges(const SurfaceDiscretization &discretization, const NodalVectors &positions)
+{
+  std::vector<bool> is_left(discretization.n_cells, false), on_edge(discretization.n_nodes, false);
+  for (const EdgeLoop &loop : discretization.edges)
+  {
+    for (const CellSide &side : loop.sides)
+      is_left[side.cell] = true;
+    for (const std::size_t node : loop.cell_nodes)
+      on_edge[node] = true;
+  }
+  NodalVectors normals = sums_of_normals(discretization, positions, [&](const std::size_t c) { return is_left[c]; });
+  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
+  {
+    const double length = on_edge[I] ? norm(vector_at(normals, I)) : 0.;
+    for (unsigned int c = 0; c < 3; ++c)
+      normals[3 * I + c] = length > 0. ? normals[3 * I + c] / length : 0.;
   }
   return normals;
 }

@@ -43,7 +43,8 @@ void keep_on_bodies(const FieldConditions &conditions, const SurfaceDiscretizati
   chart.on_body.resize(discretization.n_nodes);
   for (std::size_t I = 0; I < conditions.body.size(); ++I)
   {
-    if (!conditions.body[I])
+    const bool is_held = I < conditions.only.size() && conditions.only[I] && conditions.only[I]->count == 0;
+    if (!conditions.body[I] || is_held)
       continue;
     const GapSample here = conditions.body[I]->gap(vector_at(positions, I));
     NodalChart::Node node;

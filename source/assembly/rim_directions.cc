@@ -77,8 +77,9 @@ Eigen::SparseMatrix<double> screened_laplacian(const SurfaceDiscretization &disc
 NodalVectors directions_towards_bodies(const FieldConditions &conditions, const SurfaceDiscretization &discretization,
                                        const NodalVectors &positions, const NodalVectors &normals)
 {
+  const NodalVectors at_edges = nodal_normals_at_edges(discretization, positions);
   const std::map<std::size_t, Vector3<double>> across =
-      directions_across(conditions, discretization, positions, normals);
+      directions_across(conditions, discretization, positions, at_edges);
   if (across.empty())
     return normals;
   Eigen::SparseMatrix<double> matrix = screened_laplacian(discretization, positions);
@@ -89,7 +90,7 @@ NodalVectors directions_towards_bodies(const FieldConditions &conditions, const 
   {
     is_given[node] = true;
     for (unsigned int c = 0; c < 3; ++c)
-      given(static_cast<int>(node), c) = m[c] - normals[3 * node + c];
+      given(static_cast<int>(node), c) = m[c] - at_edges[3 * node + c];
   }
   Eigen::MatrixXd right = -(matrix * given);
   for (const auto &[node, m] : across)

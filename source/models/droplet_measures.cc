@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pellicle/assembly/edge_frames.h>
 #include <pellicle/base/constants.h>
-#include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/point_walk.h>
-#include <pellicle/models/cell_geometry.h>
+#include <pellicle/models/contact_line_measures.h>
 #include <pellicle/models/droplet_measures.h>
 #include <pellicle/models/largest_value.h>
-#include <pellicle/models/line_density.h>
 #include <pellicle/models/shape_measures.h>
-#include <pellicle/models/surface_model.h>
 #include <pellicle/potentials/wetting/base_integral.h>
 
 #include <algorithm>
@@ -18,71 +14,83 @@ namespace pellicle
 {
 namespace
 {
-/** z component of the pressure p = P + f . x on the base, which pushes against `area`. */
-struct PressureForceIntegrand
+/** p = P + f . x. */
+struct Pressure
 {
-  double pressure = 0.;
+  double at_origin = 0.;
   Vector3<double> force;
 
-  double operator()(const PlaceOnSubstrate<double> &S) const { return (pressure + dot(force, S.place)) * S.area[2]; }
+  double operator()(const Vector3<double> &x) const { return at_origin + dot(force, x); }
 };
+
+/** z component of the pressure on the base, which pushes against `area`. */
+struct PressureForceIntegrand
+{
+  Pressure pressure;
+
+  double operator()(const PlaceOnSubstrate<double> &S) const { return pressure(S.place) * S.area[2]; }
+};
+
+const EdgeLoop &line_named(const SurfaceDiscretization &surface, const std::string &name)
+{
+  const auto found =
+      std::find_if(surface.edges.begin(), surface.edges.end(), [&](const EdgeLoop &loop) { return loop.name == name; });
+  PELLICLE_ASSERT(found != surface.edges.end(), "a drop without its line");
+  return *found;
+}
 
 template <typename Integrand>
-double over_base(const SubstrateChart &chart, const EdgeLoop &line, const NodalVectors &positions,
+double over_base(const SurfaceDiscretization &surface, const WettedBase &base, const NodalVectors &positions,
                  const Integrand &integrand)
 {
+  const EdgeLoop &line = line_named(surface, base.line);
   return std::visit(
-      [&](const auto &substrate)
+      [&](const auto &chart)
       {
-        const BaseIntegral<std::decay_t<decltype(substrate)>, Integrand> base{substrate, integrand};
+        const BaseIntegral<std::decay_t<decltype(chart)>, Integrand> integral{chart, integrand};
         double sum = 0.;
         for_all_points(line.tables, line.cell_nodes, positions, 2,
-                       [&](const WalkPoint &x) { sum += line.tables.weights[x.q] * base.along_line(x[0], x[1]); });
+                       [&](const WalkPoint &x) { sum += x.weight * integral.along_line(x[0], x[1]); });
         return sum;
       },
-      chart);
+      base.chart);
 }
 
-/** The liquid's part of the lists: without what belongs to the line alone. */
-PotentialSet of_the_liquid(const PotentialSet &all)
+/** What a region of the surface measures: its area, and z component of the pressure's push outwards. */
+struct RegionMeasures
 {
-  PotentialSet liquid = all;
-  liquid.energies.clear();
-  for (const auto &energy : all.energies)
-    if (energy->where().part != Where::Part::edge || energy->name() == "gravity")
-      liquid.energies.push_back(energy);
-  return liquid;
-}
-
-struct Angles
-{
-  double mean = 0., smallest = 0., largest = 0.; ///< degrees
+  double area = 0., push = 0.;
 };
 
-/** gamma cos(theta) = tangential pull across the line, per length. */
-Angles contact_angles(const SurfaceModel &model, const EdgeLoop &line, const RigidBody &body, const double tension)
+std::vector<RegionMeasures> measure_regions(const SurfaceDiscretization &surface, const NodalVectors &positions,
+                                            const Pressure &pressure)
+{
+  std::vector<RegionMeasures> regions(std::max<std::size_t>(1, surface.region_names.size()));
+  for_all_cells(surface.tables, surface.cell_nodes, positions, 3,
+                [&](const WalkCell &cell)
+                {
+                  auto &region = regions[surface.cell_region.empty() ? 0 : surface.cell_region[cell.number]];
+                  for (unsigned int q = 0; q < surface.tables.n_points; ++q)
+                  {
+                    region.area += cell[q].area();
+                    region.push += cell[q].weight * pressure(cell[q][0]) * cross(cell[q][1], cell[q][2])[2];
+                  }
+                });
+  return regions;
+}
+
+/** z components of the forces with which the surface presses on each body. */
+std::vector<double> contact_forces(const SurfaceModel &model)
 {
   const SurfaceProblem &problem = model.equilibrium();
-  const NodalVectors positions  = model.positions();
-  const NodalVectors forces     = problem.nodal_forces(of_the_liquid(problem.potentials()));
-  std::map<std::size_t, double> pull;
-  for (const auto &[node, t] : nodal_line_tangents(model.mesh(), positions))
-  {
-    const Vector3<double> across = cross(t, body.gap(vector_at(positions, node)).normal);
-    pull[node]                   = dot(vector_at(forces, node), (1. / norm(across)) * across);
-  }
-  Angles angles{0., 180., 0.};
-  double length = 0.;
-  for (const LineDensity &at : density_along_line(line, positions, pull))
-  {
-    const double theta = std::acos(std::clamp(at.value / tension, -1., 1.)) * 180. / pi;
-    angles.mean += theta * at.length;
-    length += at.length;
-    angles.smallest = std::min(angles.smallest, theta);
-    angles.largest  = std::max(angles.largest, theta);
-  }
-  angles.mean /= length;
-  return angles;
+  const auto &bodies            = model.scene_targets().drop().bodies;
+  const NodalVectors forces     = problem.nodal_forces().total;
+  std::vector<double> sums(bodies.size(), 0.);
+  for (std::size_t I = 0; I < model.mesh().n_nodes; ++I)
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      if (problem.body_of(I) == bodies[b])
+        sums[b] -= forces[3 * I + 2];
+  return sums;
 }
 } // namespace
 
@@ -91,41 +99,72 @@ std::vector<NamedQuantity> measure_droplet(const SurfaceModel &model)
   const SurfaceDiscretization &surface = model.mesh();
   const NodalVectors positions         = model.positions();
   const DropletTargets &drop           = model.scene_targets().drop();
-  const EdgeLoop &line                 = surface.edges.front();
-  const CellGeometry geometry(surface, positions);
-  const ShapeMeasures shape = measure_shape(surface, positions);
+  const ShapeMeasures shape            = measure_shape(surface, positions);
 
-  double pressure = 0.;
+  Pressure pressure;
   for (const NamedQuantity &force : model.forces())
     if (force.name == "pressure")
-      pressure = force.value;
-  const bool has_weight       = model.has_energy("gravity");
-  const Vector3<double> force = has_weight ? drop.body_force : Vector3<double>();
+      pressure.at_origin = force.value;
+  if (model.has_energy("gravity"))
+    pressure.force = drop.body_force;
 
-  const double wetted = over_base(drop.substrate, line, positions, AreaIntegrand{});
-  const double volume = shape.volume + over_base(drop.substrate, line, positions, BaseVolumeIntegrand{});
   std::vector<NamedQuantity> list;
   const auto report = [&](const std::string &name, const double value, const Dimension dimension) {
     list.push_back({name, value, dimension});
   };
-  report("volume", volume, dimensions::volume);
-  report("contact_radius", std::sqrt(std::max(0., wetted) / pi), dimensions::length);
-  const std::shared_ptr<const RigidBody> body = model.equilibrium().body_of(line.cell_nodes.front());
-  PELLICLE_ASSERT(body != nullptr, "the contact line is on a body");
-  const Angles angles = contact_angles(model, line, *body, drop.surface_tension);
-  report("contact_angle_degrees", angles.mean, dimensions::none);
+  constexpr Dimension force_dimension{1, -1};
+  report("apex_height",
+         largest_value(CellGeometry(surface, positions), {{0., 0., 1.}, Vector3<double>(), Vector3<double>()}),
+         dimensions::length);
+  double volume = shape.volume;
+  for (const WettedBase &base : drop.bases)
+    volume += over_base(surface, base, positions, BaseVolumeIntegrand{});
+  if (!surface.is_closed())
+    report("volume", volume, dimensions::volume);
+  report("liquid_weight", norm(pressure.force) * volume, force_dimension);
+
+  const std::vector<RegionMeasures> regions = measure_regions(surface, positions, pressure);
+  report("liquid_gas_area", regions[0].area, dimensions::area);
+  double wetted = 0., wetted_below = 0., push = 0.;
+  if (!drop.bases.empty())
+  {
+    for (const WettedBase &base : drop.bases)
+      wetted += over_base(surface, base, positions, AreaIntegrand{});
+    wetted_below = over_base(surface, drop.bases[0], positions, AreaIntegrand{});
+    push         = over_base(surface, drop.bases[0], positions, PressureForceIntegrand{pressure});
+  }
+  else if (drop.has_base_membrane)
+  {
+    wetted = wetted_below = regions[1].area;
+    push                  = -regions[1].push;
+  }
+  else
+  {
+    const std::vector<double> forces = contact_forces(model);
+    push                             = -forces[0];
+    wetted_below                     = push / pressure.at_origin;
+    wetted                           = wetted_below;
+    if (forces.size() > 1)
+    {
+      report("plate_force", forces[1], force_dimension);
+      wetted += forces[1] / pressure.at_origin;
+    }
+  }
+  report("contact_radius", std::sqrt(std::max(0., wetted_below) / pi), dimensions::length);
+  report("solid_liquid_area", wetted, dimensions::area);
+  report("base_pressure_force", push, force_dimension);
+  if (surface.edges.empty())
+    return list;
+
+  const ContactLineMeasures line = measure_contact_line(model, line_named(surface, contact_line));
+  report("contact_angle_degrees", line.mean, dimensions::none);
   if (surface.kind == SurfaceDiscretization::Kind::surface)
   {
-    report("contact_angle_degrees_min", angles.smallest, dimensions::none);
-    report("contact_angle_degrees_max", angles.largest, dimensions::none);
+    report("contact_angle_degrees_min", line.smallest, dimensions::none);
+    report("contact_angle_degrees_max", line.largest, dimensions::none);
   }
-  report("apex_height", largest_value(geometry, {{0., 0., 1.}, Vector3<double>(), Vector3<double>()}),
-         dimensions::length);
-  report("liquid_gas_area", shape.area, dimensions::area);
-  report("solid_liquid_area", wetted, dimensions::area);
-  report("base_pressure_force", over_base(drop.substrate, line, positions, PressureForceIntegrand{pressure, force}),
-         {1, -1});
-  report("liquid_weight", norm(force) * volume, {1, -1});
+  if (drop.bodies.size() > 1)
+    report("plate_force", push - line.normal_pull, force_dimension);
   return list;
 }
 } // namespace pellicle

@@ -5,6 +5,10 @@
 #include <pellicle/models/droplet_scene.h>
 #include <pellicle/models/droplet_start.h>
 #include <pellicle/models/free_motions.h>
+#include <pellicle/models/line_pinning.h>
+#include <pellicle/models/nodal_contact.h>
+#include <pellicle/models/sample_substrate.h>
+#include <pellicle/potentials/wetting/line_pinning.h>
 
 #include <cmath>
 
@@ -51,6 +55,13 @@ void DropletParameters::bind(ParameterSection &section)
   section.number("Inclination", inclination, Range::between(-180., 180.), dimensions::none,
                  "Angle a of the substrate with the horizontal in degrees: gravity pulls along (sin a, 0, -cos a) in "
                  "the substrate's frame.");
+  section.choice(
+      "Base", base, {"eliminated", "membrane"},
+      "eliminated: the surface is the liquid-gas surface alone, the wetted base enters by integrals along the "
+      "contact line. membrane: the whole surface of the drop, with the effect contact; needed for a contact "
+      "angle of 180 degrees, where there is no line, and for elastic skins.");
+  section.number("Reference volume", reference_volume, Range::non_negative(), dimensions::volume,
+                 "Volume of the sphere at which elastic skins are free of stress. 0: Volume.");
 }
 
 void DropletScene::add_own_sections(std::vector<ParameterSection> &all)
@@ -67,17 +78,37 @@ void DropletScene::check() const
         "Mesh/Symmetry = axial mirror: a drop on a substrate has no mirror plane z = 0. Take axial or none.");
   if (!mesh.file.empty())
     throw UserError("Mesh/File = " + mesh.file + ": drops make their own mesh. Remove it.");
-  if (droplet.contact_angle == 180.)
+  if (droplet.contact_angle == 180. && is_cap_only())
+    throw UserError("Droplet/Contact angle = 180 is not possible with the surface of the cap alone: the contact line "
+                    "shrinks to a point. It needs the base-membrane formulation: set Droplet/Base = membrane and list "
+                    "'contact' instead of 'wetting' in Effects.");
+  if (is_cap_only() && has_effect("contact"))
+    throw UserError("The effect 'contact' needs the whole surface of the drop: set Droplet/Base = membrane.");
+  if (!is_cap_only() && !has_effect("contact"))
     throw UserError(
-        "Droplet/Contact angle = 180 is not possible with the surface of the cap alone: the contact line "
-        "shrinks to a point. It needs the base-membrane formulation: Droplet/Base = membrane with the effect "
-        "'contact'.");
-  if (!has_effect("liquid surface"))
-    throw UserError("The list Effects has no 'liquid surface': nothing holds the liquid together.");
+        "Droplet/Base = membrane needs the effect 'contact': nothing else holds the base on the substrate.");
+  if (!is_cap_only() && !has_line() && has_effect("wetting"))
+    throw UserError("Droplet/Contact angle = " + exact_text(droplet.contact_angle) +
+                    " with Droplet/Base = membrane: there is no contact line. Remove 'wetting' from Effects.");
+  if (has_line() && !is_cap_only() && has_two_plates())
+    throw UserError("Droplet/Base = membrane between two plates is for a contact angle of 180 degrees only; for " +
+                    exact_text(droplet.contact_angle) + " set Droplet/Base = eliminated.");
+  if (has_two_plates() && substrate.shape != "plane")
+    throw UserError("Substrate/Plate distance = " + exact_text(substrate.plate_distance) +
+                    " needs Substrate/Shape = plane below it, not " + substrate.shape + ".");
+  if (!is_cap_only() && substrate.shape != "plane")
+    throw UserError("Droplet/Base = membrane starts on a plane: set Substrate/Shape = plane.");
+  const bool has_skin = has_effect("neo-hookean skin") || has_effect("incompressible rubber skin");
+  if (!has_effect("liquid surface") && !has_skin)
+    throw UserError("The list Effects has neither 'liquid surface' nor an elastic skin: nothing holds the liquid "
+                    "together.");
+  if (has_skin && (is_cap_only() || has_line()))
+    throw UserError("Elastic skins need a closed surface without contact line: set Droplet/Base = membrane and "
+                    "Droplet/Contact angle = 180.");
   if (!has_effect("gravity") && droplet.bond_number != 0.)
     throw UserError("Droplet/Bond number = " + exact_text(droplet.bond_number) +
                     " has no effect in this scene: add 'gravity' to Effects.");
-  if (axial && has_effect("gravity") && std::sin(droplet.inclination * degree) != 0.)
+  if (axial && has_effect("gravity") && !is_level())
     throw UserError(
         "Droplet/Inclination = " + exact_text(droplet.inclination) +
         " with Mesh/Symmetry = axial: on an inclined substrate the drop is not axisymmetric. Set Symmetry to "
@@ -90,7 +121,52 @@ void DropletScene::check() const
   }
   if (substrate.shape == "height field" && axial)
     check_axisymmetric("Substrate/Height", ExpressionOfPlace(substrate.height), own_length());
+  check_line_pinning();
   SurfaceScene::check();
+}
+
+void DropletScene::check_line_pinning() const
+{
+  const auto *pinning = find<LinePinningEffect>();
+  if (pinning == nullptr)
+  {
+    if (is_pulled_along() && substrate.shape == "plane" && droplet.angle_field.empty())
+      throw UserError("Droplet/Inclination = " + exact_text(droplet.inclination) +
+                      " with Droplet/Bond number = " + exact_text(droplet.bond_number) +
+                      ": nothing holds the drop on the inclined plane, it has no equilibrium. Add 'line pinning' to "
+                      "Effects, give a Droplet/Contact angle field that holds it, or set Inclination to 0.");
+    return;
+  }
+  pinning->check();
+  if (!has_effect("wetting"))
+    throw UserError("The list Effects has 'line pinning' without 'wetting', whose contact angle lies between the "
+                    "advancing and the receding one: add 'wetting'.");
+  if (!is_cap_only())
+    throw UserError("Droplet/Base = membrane with 'line pinning' is not possible: set Base to eliminated.");
+  if (!droplet.angle_field.empty())
+    throw UserError("Droplet/Contact angle field = " + droplet.angle_field +
+                    " with 'line pinning' is not possible: advancing and receding angles are the same everywhere. "
+                    "Remove one of the two.");
+  if (!branch.parameter.empty())
+    throw UserError("Continuation/Parameter = " + branch.parameter +
+                    " with 'line pinning' is not possible: what the line has dissipated does not come back along a "
+                    "branch. Use section Load.");
+  const double advancing = pinning->parameters.advancing_angle, receding = pinning->parameters.receding_angle;
+  if (droplet.contact_angle > advancing || droplet.contact_angle < receding)
+    throw UserError("Droplet/Contact angle = " + exact_text(droplet.contact_angle) +
+                    " must lie between Line pinning/Receding angle = " + exact_text(receding) +
+                    " and Line pinning/Advancing angle = " + exact_text(advancing) + ".");
+}
+
+// Multiples of 180 degrees leave some round-off in the sine.
+bool DropletScene::is_level() const
+{
+  return std::abs(std::sin(droplet.inclination * degree)) < 1e-14;
+}
+
+bool DropletScene::is_pulled_along() const
+{
+  return has_effect("gravity") && droplet.bond_number != 0. && !is_level();
 }
 
 bool DropletScene::is_fixed(const std::string &parameter) const
@@ -118,29 +194,73 @@ void DropletScene::set_targets(const Scales &scales, SceneTargets &targets) cons
     drop.contact_angle_field = std::make_shared<ExpressionOfPlace>(droplet.angle_field, scales.length);
   const double radius = own_length() / scales.length, a = droplet.inclination * degree;
   drop.force_per_bond_number =
-      drop.surface_tension / (radius * radius) * Vector3<double>(std::sin(a), 0., -std::cos(a));
-  drop.body_force    = droplet.bond_number * drop.force_per_bond_number;
-  drop.unit_of_place = scales.length;
-  drop.substrate     = make_substrate(substrate, scales.length).chart;
-  targets.droplet    = drop;
+      drop.surface_tension / (radius * radius) * Vector3<double>(is_level() ? 0. : std::sin(a), 0., -std::cos(a));
+  drop.body_force        = droplet.bond_number * drop.force_per_bond_number;
+  drop.unit_of_place     = scales.length;
+  drop.has_base_membrane = !is_cap_only() && has_line();
+
+  const Substrate lower                = make_substrate(substrate, scales.length);
+  const std::optional<Substrate> upper = make_upper_plate(substrate, scales.length);
+  drop.bodies                          = {lower.body};
+  drop.walls                           = {lower.chart};
+  if (is_cap_only())
+    drop.bases.push_back({contact_line, lower.chart});
+  if (upper)
+  {
+    drop.bodies.push_back(upper->body);
+    drop.walls.push_back(upper->chart);
+    if (is_cap_only())
+      drop.bases.push_back({upper_contact_line, upper->chart});
+  }
+  targets.droplet = drop;
+}
+
+bool DropletScene::has_two_plates() const
+{
+  return std::isfinite(substrate.plate_distance);
+}
+
+bool DropletScene::has_line() const
+{
+  return droplet.contact_angle < 180.;
 }
 
 std::vector<SceneEdge> DropletScene::edges() const
 {
-  return {{contact_line, EdgeSupport::on_body}};
+  if (!has_line())
+    return {};
+  std::vector<SceneEdge> lines{{contact_line, EdgeSupport::on_body}};
+  if (has_two_plates())
+    lines.push_back({upper_contact_line, EdgeSupport::on_body});
+  return lines;
 }
 
 NodalConditions DropletScene::conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const
 {
   NodalConditions conditions = SurfaceScene::conditions(surface, targets);
-  const Substrate rigid      = make_substrate(substrate, targets.drop().unit_of_place);
   auto &body                 = conditions["position"].body;
   body.resize(surface.n_nodes);
   for (const EdgeLoop &loop : surface.edges)
-    if (loop.name == contact_line)
-      for (const std::size_t node : loop.cell_nodes)
-        body[node] = rigid.body;
+    for (const std::size_t node : loop.cell_nodes)
+      body[node] = targets.drop().bodies[loop.name == contact_line ? 0 : 1];
   return conditions;
+}
+
+std::vector<std::unique_ptr<ActiveSet>> DropletScene::active_sets(const SurfaceDiscretization &surface,
+                                                                  const SceneTargets &targets) const
+{
+  std::vector<std::unique_ptr<ActiveSet>> list;
+  if (targets.drop().pinning)
+    for (const EdgeLoop &loop : surface.edges)
+      list.push_back(std::make_unique<LinePinning>(loop, targets));
+  if (!has_effect("contact"))
+    return list;
+  std::vector<bool> on_line(surface.n_nodes, false);
+  for (const EdgeLoop &loop : surface.edges)
+    for (const std::size_t node : loop.cell_nodes)
+      on_line[node] = true;
+  list.push_back(std::make_unique<NodalContact>(surface, targets.drop().bodies, std::move(on_line)));
+  return list;
 }
 
 // Motions of the whole drop over its substrate that cost no energy: they are a gauge.
@@ -154,9 +274,7 @@ std::vector<RigidMotion> DropletScene::free_motions() const
     return free_motions_over(ExpressionOfPlace(substrate.height, own_length(), own_length()), 1.,
                              weight * Vector3<double>(std::sin(a), 0., -std::cos(a)));
   }
-  const bool inclined =
-      has_effect("gravity") && droplet.bond_number != 0. && std::sin(droplet.inclination * degree) != 0.;
-  if (inclined)
+  if (is_pulled_along())
     return {};
   std::vector<RigidMotion> motions{{{}, {{0., 0., 1.}}}};
   if (substrate.shape == "plane")
@@ -175,14 +293,27 @@ std::vector<RigidMotion> DropletScene::free_motions() const
 
 SurfaceDiscretization DropletScene::start_mesh() const
 {
-  SurfaceDiscretization surface = droplet_cap(*this);
+  SurfaceDiscretization surface = !has_line()        ? resting_sphere(*this)
+                                  : !is_cap_only()   ? cap_with_base(*this)
+                                  : has_two_plates() ? droplet_bridge(*this)
+                                                     : droplet_cap(*this);
   surface.rigid_motions         = free_motions();
   return surface;
+}
+
+std::optional<NodalVectors> DropletScene::reference_positions() const
+{
+  return sphere_of_volume(*this, droplet.reference_volume > 0. ? droplet.reference_volume : droplet.volume).positions;
 }
 
 SurfaceMeasures DropletScene::measures(const Scales & /*scales*/) const
 {
   return measure_droplet;
+}
+
+Surroundings DropletScene::surroundings() const
+{
+  return sample_substrate;
 }
 
 DropletScene make_droplet_scene(const EffectLibrary &library, const std::vector<std::string> &effects,

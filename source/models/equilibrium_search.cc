@@ -51,7 +51,7 @@ bool EquilibriumSearch::run()
 
 bool EquilibriumSearch::descend()
 {
-  return in_charts(is_reparametrisation_invariant(problem.potentials()) ? "graph then ale" : "automatic");
+  return in_charts(problem.needs_material_chart() ? "automatic" : "graph then ale");
 }
 
 bool EquilibriumSearch::iterate(const PositionChart chart, const int max_iterations)
@@ -93,7 +93,7 @@ bool EquilibriumSearch::in_charts(const std::string &charts)
     return iterate(PositionChart::ale, newton.max_iterations);
   if (charts == "automatic")
   {
-    if (!is_reparametrisation_invariant(problem.potentials()))
+    if (problem.needs_material_chart())
       return iterate(PositionChart::material, newton.max_iterations);
     if (iterate(PositionChart::ale, std::min(newton.max_iterations, iterations_before_fallback)))
       return true;

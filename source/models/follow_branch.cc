@@ -76,9 +76,9 @@ ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, c
   { return of_parameter(scene_at(p)->derivatives(unit, targets), branch.parameter); };
   parameter.derivatives(value);
 
-  const PositionChart chart = !is_reparametrisation_invariant(problem->potentials()) ? PositionChart::material
-                              : newton.chart == "graph"                              ? PositionChart::graph
-                                                                                     : PositionChart::ale;
+  const PositionChart chart = problem->needs_material_chart() ? PositionChart::material
+                              : newton.chart == "graph"       ? PositionChart::graph
+                                                              : PositionChart::ale;
   const NodalVectors mesh_reference =
       solved_mesh().mesh_reference.empty() ? problem->state().fields[0] : solved_mesh().mesh_reference;
   SurfaceBranch along(*problem, std::move(parameter), chart, mesh_reference);

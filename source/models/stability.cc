@@ -24,8 +24,7 @@ void StabilityParameters::bind(ParameterSection &section)
 std::optional<Stability> analyse_stability(SurfaceProblem &problem, LinearSolver &solver,
                                            const unsigned int n_eigenvalues)
 {
-  problem.use_chart(is_reparametrisation_invariant(problem.potentials()) ? PositionChart::graph
-                                                                         : PositionChart::material,
+  problem.use_chart(problem.needs_material_chart() ? PositionChart::material : PositionChart::graph,
                     problem.state().fields[0]);
   problem.linearize();
   solver.factorize(problem.matrix());

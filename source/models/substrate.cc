@@ -4,6 +4,8 @@
 #include <pellicle/kinematics/rigid_bodies.h>
 #include <pellicle/models/substrate.h>
 
+#include <cmath>
+
 namespace pellicle
 {
 void SubstrateParameters::bind(ParameterSection &section)
@@ -18,6 +20,17 @@ void SubstrateParameters::bind(ParameterSection &section)
   section.word("Height", height,
                "Height H(x, y) of the substrate `height field`, for example 0.05*cos(2*pi*x)*cos(2*pi*y): numbers, x, "
                "y, + - * / ^, pi and functions that can be differentiated. It must be smooth where the line runs.");
+  section.number("Plate distance", plate_distance, Range::positive().or_infinite(), dimensions::length,
+                 "Height of a second plate above the plane z = 0, which squeezes the drop. inf: there is none.");
+}
+
+std::optional<Substrate> make_upper_plate(const SubstrateParameters &parameters, const double unit)
+{
+  if (!std::isfinite(parameters.plate_distance))
+    return std::nullopt;
+  const double h = parameters.plate_distance / unit;
+  return Substrate{std::make_shared<HalfSpace>(Vector3<double>(0., 0., h), Vector3<double>(0., 0., -1.)),
+                   PlaneChart{h, -1.}};
 }
 
 Substrate make_substrate(const SubstrateParameters &parameters, const double unit)

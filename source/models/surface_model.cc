@@ -3,6 +3,7 @@
 #include <pellicle/discretization/edge_loops.h>
 #include <pellicle/discretization/split_line.h>
 #include <pellicle/discretization/surface_quality.h>
+#include <pellicle/models/contact_augmentation.h>
 #include <pellicle/models/surface_model.h>
 
 #include <algorithm>
@@ -63,6 +64,7 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
     , unit(scene.scales())
     , timing(timing)
     , discretization(scene.start_mesh())
+    , own_surroundings(scene.surroundings())
     , own_measures(scene.measures(unit))
     , stability_parameters(scene.stability)
     , analyses_stability(scene.has_analysis("stability"))
@@ -77,7 +79,10 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
   own_conditions = scene.conditions(solved_mesh(), targets);
   active_sets    = scene.active_sets(solved_mesh(), targets);
   for (const auto &active : active_sets)
+  {
+    active->take(targets);
     active->add_potentials(potentials);
+  }
   const NodalConditions &conditions = own_conditions;
   // Held rims fix the surface in space; there are no rigid motions left.
   if (const auto position = conditions.find("position"); position != conditions.end() && !position->second.only.empty())
@@ -85,6 +90,7 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
   problem = std::make_unique<SurfaceProblem>(solved_mesh(), std::move(potentials), conditions, communicator,
                                              newton.linear_solver, timing);
   solver  = make_linear_solver(newton.linear_solver);
+  add_pairs(scene, communicator);
   check_constraints_are_independent();
 }
 
@@ -114,6 +120,23 @@ void SurfaceModel::add_node_noise(const NodeNoise &noise)
         discretization.positions[3 * I + c] += dot(displacement, e) * e[c];
     }
   }
+}
+
+void SurfaceModel::add_pairs(const SurfaceScene &scene, const Communicator &communicator)
+{
+  auto terms = scene.pair_terms(solved_mesh(), targets);
+  if (terms.empty())
+    return;
+  const auto pairs = std::make_shared<PairTerms>(std::move(terms), communicator);
+  try
+  {
+    problem->set_pairs(pairs);
+  }
+  catch (const SolveError &error)
+  {
+    throw UserError(std::string("The start shape cannot be used. ") + error.what() + " Move the parts apart.");
+  }
+  active_sets.push_back(std::make_unique<ContactAugmentation>(pairs, scene.multiplier_tolerance()));
 }
 
 // On a sphere dA = (2/R) dV: the two rows of the border would be multiples of each other. What counts is motion along
@@ -169,8 +192,14 @@ void SurfaceModel::update(const SurfaceScene &scene)
 {
   newton                  = scene.newton;
   PotentialSet potentials = potentials_of(scene);
+  own_conditions          = scene.conditions(solved_mesh(), targets);
+  if (active_sets.empty())
+    problem->set_conditions(own_conditions);
   for (const auto &active : active_sets)
+  {
+    active->take(targets);
     active->add_potentials(potentials);
+  }
   problem->set_potentials(std::move(potentials));
 }
 
@@ -236,12 +265,38 @@ StepResult SurfaceModel::solve(const int step, Observer &observer)
 void SurfaceModel::apply_active_sets()
 {
   NodalConditions conditions = own_conditions;
+  SurfaceState state         = problem->state();
+  bool rigid_gauge           = true;
   for (const auto &active : active_sets)
+  {
     active->add_conditions(conditions);
+    active->place(state.fields[0]);
+    rigid_gauge = rigid_gauge && active->leaves_rigid_motions();
+  }
+  problem->set_rigid_gauge(rigid_gauge);
+  problem->set_state(std::move(state)); // energies of potentials that know the statuses are others now
   problem->set_conditions(std::move(conditions));
 }
 
-bool SurfaceModel::solve_with_active_sets(EquilibriumSearch &search)
+void SurfaceModel::solve_with_active_sets(EquilibriumSearch &search)
+{
+  try
+  {
+    if (settle_active_sets(search))
+      return;
+  }
+  catch (const SolveError &error)
+  {
+    search.fail(error.what());
+  }
+  std::string reason = search.result().failure;
+  for (const auto &active : active_sets)
+    if (const std::string more = active->about_failure(); !more.empty())
+      reason = more + " (" + reason + ")";
+  search.fail(reason);
+}
+
+bool SurfaceModel::settle_active_sets(EquilibriumSearch &search)
 {
   constexpr int most_rounds = 60;
   for (const auto &active : active_sets)

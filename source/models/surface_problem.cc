@@ -123,6 +123,7 @@ SurfaceProblem::SurfaceProblem(const SurfaceDiscretization &discretization, Pote
     , elimination(surface, field_layout, set, conditions, start_fields(surface, field_layout, conditions), communicator,
                   linear_solver, timing)
 {
+  find_material_nodes();
   SurfaceState start;
   start.fields = start_fields(surface, field_layout, conditions);
   start.multipliers.assign(set.constraints.size(), 0.);
@@ -138,6 +139,18 @@ void SurfaceProblem::set_potentials(PotentialSet potential_set)
 void SurfaceProblem::set_conditions(NodalConditions nodal_conditions)
 {
   conditions = std::move(nodal_conditions);
+  bool moved = false;
+  if (const auto of_position = conditions.find("position"); of_position != conditions.end())
+    for (std::size_t I = 0; I < of_position->second.body.size(); ++I)
+      if (const auto &body = of_position->second.body[I])
+      {
+        const GapSample gap = body->gap(vector_at(current.fields[0], I));
+        moved               = moved || gap.gap != 0.;
+        for (unsigned int c = 0; c < 3; ++c)
+          current.fields[0][3 * I + c] = gap.foot[c];
+      }
+  if (moved)
+    set_state(current);
 }
 
 void SurfaceProblem::set_state(SurfaceState state)
@@ -153,10 +166,11 @@ void SurfaceProblem::set_state(SurfaceState state)
 void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors &mesh_reference)
 {
   // Reactions of another chart balance other forces.
-  if (chart != new_chart || current.rigid_reactions.size() != surface.rigid_motions.size())
-    current.rigid_reactions.assign(surface.rigid_motions.size(), 0.);
-  chart = new_chart;
-  if (chart != PositionChart::material && !is_reparametrisation_invariant(set))
+  if (chart != new_chart || current.rigid_reactions.size() != n_rigid())
+    current.rigid_reactions.assign(n_rigid(), 0.);
+  chart               = new_chart;
+  const bool all_free = std::find(material.begin(), material.end(), false) == material.end();
+  if (chart != PositionChart::material && !all_free && needs_material_chart())
     throw UserError("Newton/Chart = ale and graph keep the nodes from following tangential forces, but a listed effect "
                     "acts tangentially (it refers to material points). Use Newton/Chart = automatic.");
   if (chart == PositionChart::ale)
@@ -168,8 +182,8 @@ void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors
                                                  Assembler::everything(mesh_set, *mesh_layout));
   }
 
-  system = std::make_unique<BorderedSystem>(
-      surface, Numbering(charts_here(), set.constraints.size(), surface.rigid_motions.size()), communicator);
+  system = std::make_unique<BorderedSystem>(surface, Numbering(charts_here(), set.constraints.size(), n_rigid()),
+                                            communicator);
   renew_gauge();
 }
 
@@ -188,6 +202,7 @@ std::vector<NodalChart> SurfaceProblem::charts_here() const
     charts.push_back(chart == PositionChart::material ? free_chart(surface)
                      : chart == PositionChart::graph  ? graph_chart(surface, current.fields[0], normals)
                                                       : ale_chart(surface, current.fields[0], normals));
+    free_nodes(surface, material, charts.back());
     apply_conditions(conditions, field.name, charts.back());
     keep_nodes_on_bodies(charts.back());
   }
@@ -219,7 +234,7 @@ void SurfaceProblem::keep_nodes_on_bodies(NodalChart &positions) const
 void SurfaceProblem::renew_gauge()
 {
   node_areas       = nodal_weights(surface, current.fields[0]);
-  rigid_directions = weighted_rigid_motions(surface, current.fields[0]);
+  rigid_directions = rigid_gauge ? weighted_rigid_motions(surface, current.fields[0]) : std::vector<NodalVectors>();
   moved_in_chart   = 0.;
 }
 
@@ -241,8 +256,14 @@ void SurfaceProblem::linearize()
     keep_nodes_on_bodies(positions);
     system->set_chart(0, std::move(positions));
   }
+  std::vector<double> of_pairs;
+  if (pair_terms)
+  {
+    of_pairs = pair_terms->evaluate(current.fields[0], Order::hessian);
+    system->make_room(pair_terms->elements());
+  }
   system->begin();
-  TermValues mesh_values{{0.}, {}, {}};
+  TermValues mesh_values{{0.}, {}, {}, {}};
   Element mesh_element;
   std::vector<std::vector<double>> no_constraints;
   const bool with_mesh          = chart == PositionChart::ale;
@@ -257,6 +278,10 @@ void SurfaceProblem::linearize()
                                                   mesh_element, no_constraints);
                        system->add_cell(cell, element, constraint_gradients, has_mesh ? &mesh_element : nullptr);
                      });
+  current_values.pairs = std::move(of_pairs);
+  if (pair_terms)
+    for (const ContactElement &element : pair_terms->elements())
+      system->add_pair(element);
   for (std::size_t k = 0; k < set.constraints.size(); ++k)
     system->set_constraint(k, 1. / set.constraints[k].stiffness + current_values.compliances[k],
                            constraint_residual(k, current_values, current.multipliers[k]));
@@ -321,6 +346,8 @@ double SurfaceProblem::merit_of(const TermValues &values, const std::vector<doub
   double merit                          = energy_of_self_terms(values, of_state);
   for (const double energy : values.energies)
     merit += energy;
+  for (const double energy : values.pairs)
+    merit += energy;
   for (std::size_t k = 0; k < multipliers.size(); ++k)
   {
     const Constraint &constraint = set.constraints[k];
@@ -331,7 +358,8 @@ double SurfaceProblem::merit_of(const TermValues &values, const std::vector<doub
   return merit;
 }
 
-double SurfaceProblem::merit(const std::vector<double> &direction) const
+// Values where the fields that are multipliers have taken their full step, and nothing else has.
+TermValues SurfaceProblem::at_full_multiplier_fields(const std::vector<double> &direction) const
 {
   SurfaceState with_full_step = current;
   bool has_multiplier_fields  = false;
@@ -341,7 +369,12 @@ double SurfaceProblem::merit(const std::vector<double> &direction) const
       has_multiplier_fields = true;
       system->prolongate(direction, 1., f, with_full_step.fields[f]);
     }
-  return merit_of(has_multiplier_fields ? evaluate(with_full_step) : current_values, current.multipliers, direction);
+  return has_multiplier_fields ? evaluate(with_full_step) : current_values;
+}
+
+double SurfaceProblem::merit(const std::vector<double> &direction) const
+{
+  return merit_of(at_full_multiplier_fields(direction), current.multipliers, direction);
 }
 
 double SurfaceProblem::merit_slope(const std::vector<double> &direction) const
@@ -353,15 +386,11 @@ double SurfaceProblem::merit_slope(const std::vector<double> &direction) const
   double slope                          = 0.;
   for (std::size_t i = 0; i < n; ++i)
     slope += system->residual()[i] * direction[i];
-  // A multiplier field p is at its full step all along: dp . B dx in the place of r_p . dp, where B dx = -r_p.
-  for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
-    if (is_multiplier(f))
-      for (std::size_t I = 0; I < surface.n_nodes; ++I)
-        for (unsigned int a = 0; a < system->numbering().count(f, I); ++a)
-        {
-          const std::size_t i = system->numbering().first_of(f, I) + a;
-          slope -= 2. * system->residual()[i] * direction[i];
-        }
+  // A multiplier field p is at its full step all along: dp . B dx in the place of r_p . dp, where B dx = -r_p + C dp.
+  // The energies are quadratic in p, E(p + dp) - E(p) = r_p . dp - dp . C dp/2.
+  const std::vector<double> stepped = at_full_multiplier_fields(direction).energies;
+  for (std::size_t e = 0; e < stepped.size(); ++e)
+    slope += 2. * (current_values.energies[e] - stepped[e]);
   for (std::size_t k = 0; k < multipliers.size(); ++k)
   {
     const Constraint &constraint = set.constraints[k];
@@ -381,7 +410,10 @@ double SurfaceProblem::merit_slope(const std::vector<double> &direction) const
 TermValues SurfaceProblem::evaluate(const SurfaceState &state) const
 {
   const Timing::Scope scope(timing, "assembly");
-  return assembler.loop(set, state.fields, state.multipliers, Order::value);
+  TermValues values = assembler.loop(set, state.fields, state.multipliers, Order::value);
+  if (pair_terms)
+    values.pairs = pair_terms->evaluate(state.fields[0], Order::value);
+  return values;
 }
 
 double SurfaceProblem::try_step(const std::vector<double> &direction, const double length)
@@ -401,7 +433,14 @@ double SurfaceProblem::try_step(const std::vector<double> &direction, const doub
     trial.rigid_reactions[k] += direction[system->numbering().n_nodal + trial.multipliers.size() + k];
   if (!elimination.empty() && !elimination.solve(set, trial.multipliers, trial.fields))
     return std::numeric_limits<double>::infinity();
-  trial_values = evaluate(trial);
+  try
+  {
+    trial_values = evaluate(trial);
+  }
+  catch (const SolveError &)
+  {
+    return std::numeric_limits<double>::infinity(); // too deep in each other
+  }
   return merit_of(trial_values, trial.multipliers, direction);
 }
 

@@ -31,6 +31,12 @@ SurfaceProblem::NodalForces SurfaceProblem::nodal_forces() const
   communicator.sum(forces.total);
   for (NodalVectors &gradient : forces.constraints)
     communicator.sum(gradient);
+  if (pair_terms)
+  {
+    const NodalVectors of_pairs = pair_forces();
+    for (std::size_t i = 0; i < n; ++i)
+      forces.total[i] += of_pairs[i];
+  }
   return forces;
 }
 
@@ -131,6 +137,8 @@ double SurfaceProblem::energy() const
 {
   double sum = energy_of_self_terms(current_values, current.multipliers);
   for (const double energy : current_values.energies)
+    sum += energy;
+  for (const double energy : current_values.pairs)
     sum += energy;
   return sum;
 }

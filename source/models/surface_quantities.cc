@@ -24,6 +24,8 @@ std::string energy_quantity(const std::string &potential)
     return "bending_energy";
   if (potential == "gaussian curvature")
     return "gaussian_energy";
+  if (potential == "line pinning")
+    return "pinning_dissipation";
   std::string name = potential + "_energy";
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
@@ -50,6 +52,9 @@ std::vector<NamedQuantity> SurfaceModel::energies() const
   std::vector<NamedQuantity> list;
   for (std::size_t k = 0; k < set.energies.size(); ++k)
     add_to(list, {energy_quantity(set.energies[k]->name()), values.energies[k], dimensions::energy});
+  if (problem->pairs())
+    for (std::size_t k = 0; k < values.pairs.size(); ++k)
+      add_to(list, {energy_quantity(problem->pairs()->terms()[k]->name()), values.pairs[k], dimensions::energy});
   const double shift = energy_of_self_terms(values, problem->state().multipliers);
   if (shift != 0.)
     add_to(list, {"bending_energy", shift, dimensions::energy});

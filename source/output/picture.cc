@@ -43,8 +43,8 @@ std::optional<std::filesystem::path> find_render_script()
   return {};
 }
 
-std::optional<std::string> render_picture(const std::filesystem::path &vtu, const std::filesystem::path &png,
-                                          const std::string &title)
+std::optional<std::string> render_picture(const std::filesystem::path &vtu, const std::filesystem::path &beside,
+                                          const std::filesystem::path &png, const std::string &title)
 {
   const auto script = find_render_script();
   if (!script)
@@ -54,9 +54,11 @@ std::optional<std::string> render_picture(const std::filesystem::path &vtu, cons
   if (!is_executable(interpreter))
     return "No picture: " + std::string(interpreter) + " is missing (on Debian: apt-get install python3-vtk9).";
 
-  const ProgramEnd end = run_program(
-      {virtual_display, "-a", interpreter, script->string(), vtu.string(), png.string(), "--title=" + title},
-      render_timeout);
+  std::vector<std::string> command{virtual_display, "-a",         interpreter,       script->string(),
+                                   vtu.string(),    png.string(), "--title=" + title};
+  if (!beside.empty())
+    command.push_back("--beside=" + beside.string());
+  const ProgramEnd end = run_program(command, render_timeout);
   if (!end.started)
     return "No picture: the renderer could not be started.";
   if (end.timed_out)

@@ -4,6 +4,7 @@
 #include <pellicle/potentials/constraints/lipid_domain.h>
 #include <pellicle/potentials/constraints/tether.h>
 #include <pellicle/potentials/constraints/total_area.h>
+#include <pellicle/potentials/contact/contact_effect.h>
 #include <pellicle/potentials/edges/gaussian_curvature.h>
 #include <pellicle/potentials/edges/line_tension.h>
 #include <pellicle/potentials/energies/gravity.h>
@@ -16,6 +17,7 @@
 #include <pellicle/potentials/energies/surface_tension.h>
 #include <pellicle/potentials/energies/tu_ou_yang_skin.h>
 #include <pellicle/potentials/potential_library.h>
+#include <pellicle/potentials/wetting/line_pinning.h>
 #include <pellicle/potentials/wetting/wetting.h>
 
 #include <cctype>
@@ -50,8 +52,12 @@ EffectLibrary droplet_effects()
   library.add("volume constraint", [] { return std::make_unique<VolumeConstraintEffect>(); });
   library.add("wetting", [] { return std::make_unique<WettingEffect>(); });
   library.add("gravity", [] { return std::make_unique<GravityEffect>(); });
+  library.add("contact", [] { return std::make_unique<ContactEffect>(); });
+  library.add("line pinning", [] { return std::make_unique<LinePinningEffect>(); });
   library.add("line tension", [] { return std::make_unique<LineTensionEffect>(); });
   library.add("pressure", [] { return std::make_unique<PressureEffect>(); });
+  library.add(NeoHookeanSkin::name, [] { return std::make_unique<SkinEffect<NeoHookeanSkin>>(); });
+  library.add(IncompressibleRubberSkin::name, [] { return std::make_unique<SkinEffect<IncompressibleRubberSkin>>(); });
   return library;
 }
 

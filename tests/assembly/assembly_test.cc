@@ -222,7 +222,7 @@ void check_bordered_system(const SurfaceDiscretization &surface, const bool ale,
   Dense K(2 * m, std::vector<double>(2 * m, 0.)),
       K_mesh = K, gradient(5, std::vector<double>(2 * m, 0.)); // r, mesh r, g0, g1, rigid
   system.begin();
-  TermValues mesh_values{{0.}, {}, {}};
+  TermValues mesh_values{{0.}, {}, {}, {}};
   Element mesh_element;
   std::vector<std::vector<double>> none;
   physics.assembler.loop(

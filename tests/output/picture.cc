@@ -27,7 +27,7 @@ TEST(Picture, OfABiconcaveSurface)
   const TemporaryDirectory directory;
   const auto vtu = directory.path() / "shape.vtu", png = directory.path() / "picture.png";
   write_vtu(vtu, pellicle::testing::biconcave_sample(3, 4));
-  if (const auto reason = render_picture(vtu, png, "Biconcave, \"drawn\" as a test; $HOME"))
+  if (const auto reason = render_picture(vtu, "", png, "Biconcave, \"drawn\" as a test; $HOME"))
   {
     if (is_not_installed(*reason))
       GTEST_SKIP() << *reason;
@@ -48,7 +48,7 @@ TEST(Picture, GivesAReasonInsteadOfAPicture)
   write_whole_file(directory.path() / "broken.vtu", "this is not XML");
   for (const char *name : {"missing.vtu", "broken.vtu"})
   {
-    const auto reason = render_picture(directory.path() / name, png, "");
+    const auto reason = render_picture(directory.path() / name, "", png, "");
     ASSERT_TRUE(reason);
     EXPECT_EQ(reason->rfind("No picture: ", 0), 0u) << *reason;
     EXPECT_TRUE(is_not_installed(*reason) || reason->find(name) != std::string::npos) << *reason;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Solids and liquids in three dimensions at one point with a skew reference: derivatives, stresses, tangents.
+#include <pellicle/potentials/solids/body_force.h>
 #include <pellicle/potentials/solids/compressible_liquid.h>
 #include <pellicle/potentials/solids/incompressible_liquid.h>
 #include <pellicle/potentials/solids/neo_hookean_solid.h>
+#include <pellicle/potentials/solids/shear_drag.h>
 
 #include <gtest/gtest.h>
 
@@ -60,10 +62,10 @@ Matrix3 inverse(const Matrix3 &a)
   return result;
 }
 
-/** x,a = F X,a in slots 1 to 3, then further inputs. */
+/** A place, x,a = F X,a in slots 1 to 3, then further inputs. */
 std::vector<double> inputs(const Matrix3 &F, const std::vector<double> &further = {})
 {
-  std::vector<double> result(3, 0.);
+  std::vector<double> result{0.4, -0.6, 0.9};
   for (const Vector3<double> &base : X)
     for (unsigned int c = 0; c < 3; ++c)
       result.push_back((F * base)[c]);
@@ -98,7 +100,10 @@ template <typename Density>
 double second_variation(const Density &density, const Matrix3 &F, const Matrix3 &first, const Matrix3 &second,
                         const std::vector<double> &further = {})
 {
-  const std::vector<double> zeros(further.size(), 0.), a = inputs(first, zeros), b = inputs(second, zeros);
+  const std::vector<double> zeros(further.size(), 0.);
+  std::vector<double> a = inputs(first, zeros), b = inputs(second, zeros);
+  std::fill_n(a.begin(), 3, 0.); // the place stays
+  std::fill_n(b.begin(), 3, 0.);
   const PointSums sums = derivatives(density, inputs(F, further));
   double result        = 0.;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -134,6 +139,8 @@ TEST(Bodies, HandWrittenDerivativesAreTheAutomaticOnes)
   compare_with_automatic(ElasticBody<NeoHookeanSolid>{quadratic, skew_reference()});
   compare_with_automatic(ElasticBody<CompressibleLiquid>{{K}, skew_reference()});
   compare_with_automatic(IncompressibleLiquid{skew_reference()}, {0.8, 0., 0.});
+  compare_with_automatic(IncompressibleLiquid{skew_reference(), 1. / K}, {0.8, 0., 0.});
+  compare_with_automatic(BodyForce{{0.3, -0.5, 0.7}});
 }
 
 void expect_equal(const Matrix3 &a, const Matrix3 &b)
@@ -202,6 +209,32 @@ TEST(Bodies, TangentsOfLiquids)
               -p_given * J * of_volume, 1e-14);
   EXPECT_NEAR(second_variation(ElasticBody<CompressibleLiquid>{{K}, skew_reference()}, F0, dF, DF),
               J * (K * J * divs - p * of_volume), 1e-14);
+}
+
+// At its stationary pressure the compliant liquid is the compressible one: p = K (1 - J), energy (K/2)(1 - J)^2.
+TEST(Bodies, CompliantLiquidIsTheCompressibleOne)
+{
+  const double J = determinant(F0), p = K * (1. - J);
+  const PointSums compliant    = derivatives(IncompressibleLiquid{skew_reference(), 1. / K}, inputs(F0, {p, 0., 0.})),
+                  compressible = derivatives(ElasticBody<CompressibleLiquid>{{K}, skew_reference()}, inputs(F0));
+  EXPECT_NEAR(compliant.gradient[12], 0., 1e-15);
+  EXPECT_NEAR(compliant.value[0], compressible.value[0], 1e-14);
+  for (unsigned int i = 0; i < 12; ++i)
+    EXPECT_NEAR(compliant.gradient[i], compressible.gradient[i], 1e-14) << i;
+}
+
+// The tangent of a neo-Hookean solid whose reference is the present configuration, and nothing else.
+TEST(Bodies, ShearDragIsATangentAlone)
+{
+  const PointSums drag = derivatives(ShearDrag{mu}, inputs(F0));
+  EXPECT_EQ(drag.value[0], 0.);
+  for (const double g : drag.gradient)
+    EXPECT_EQ(g, 0.);
+  const auto here =
+      std::make_shared<const std::vector<ReferenceBasis>>(1, ReferenceBasis(F0 * X[0], F0 * X[1], F0 * X[2]));
+  const PointSums solid = derivatives(ElasticBody<NeoHookeanSolid>{{mu, 0.}, here}, inputs(F0));
+  for (std::size_t i = 0; i < drag.hessian.size(); ++i)
+    EXPECT_NEAR(drag.hessian[i], solid.hessian[i], 1e-14) << i / 12 << "," << i % 12;
 }
 
 TEST(Bodies, NoEnergyOfAnInvertedBody)

@@ -26,6 +26,7 @@ struct TermValues
   std::vector<double> energies;    ///< in the order of PotentialSet::energies
   std::vector<double> constraints; ///< g - lambda r, in the order of PotentialSet::constraints
   std::vector<double> compliances; ///< r of each constraint, see Constraint::self_term
+  std::vector<double> pairs;       ///< energies of pair terms, which the assembler does not know
 };
 
 /**

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <pellicle/assembly/cells.h>
-#include <pellicle/assembly/contraction.h>
+#include <pellicle/assembly/contact_elements.h>
 #include <pellicle/assembly/nodal_chart.h>
 #include <pellicle/base/sparse_matrix.h>
 
 #include <cstddef>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -73,6 +74,13 @@ public:
   /** The same without the matrix. */
   void add_cell_residual(const Cell &cell, const Element &physics,
                          const std::vector<std::vector<double>> &constraint_gradients, const Element *mesh);
+  /**
+   * Room in the pattern for elements that couple nodes of several cells. A coupling that is met for the first time
+   * means a new pattern (and a new analysis by the linear solver); known ones stay. Before begin().
+   */
+  void make_room(const std::vector<ContactElement> &elements);
+  /** Adds matrix and residual of such an element of the position. */
+  void add_pair(const ContactElement &element);
   /** Border: value -1/c on the diagonal of constraint k and its residual. */
   void set_constraint(std::size_t k, double compliance, double residual);
   /** Border row of a rigid motion: `direction` is a nodal vector field (already weighted), on the diagonal -1/rho. Its
@@ -96,16 +104,19 @@ public:
   void restrict_vector(std::size_t field, const NodalVectors &vector, std::vector<double> &unknowns) const;
   /** values += factor Z u: displacements of nodes, to first order where these stay on bodies or the unit sphere. */
   void add_columns(const std::vector<double> &u, double factor, std::size_t field, NodalVectors &values) const;
-  /** x_f += factor Z u; unit vectors are normalised afterwards, nodes on bodies go to the closest point. */
+  /** x_f += factor Z u; unit vectors are normalised afterwards, nodes on bodies go to the closest point.
+   * Throws SolveError where there is none. */
   void prolongate(const std::vector<double> &u, double factor, std::size_t field, NodalVectors &values) const;
 
 private:
-  void make_pattern(const std::vector<Cell> &cells);
+  void make_pattern();
+  int place_of(int row, int column) const;
   void write_border(std::size_t row, const std::vector<double> &values);
   void project(const Cell &cell, const Element &physics, const Element *mesh);
   void curve(const Cell &cell, const Element &physics, const Element *mesh);
-  void cell_unknowns(const Cell &cell, std::vector<int> &list) const;
+  void cell_unknowns(const Cell &cell, std::size_t n_fields, std::vector<int> &list) const;
 
+  const SurfaceDiscretization &discretization;
   const Communicator &communicator;
   Numbering unknowns;
   SparseMatrix sparse;
@@ -113,9 +124,10 @@ private:
   std::vector<std::vector<double>> constraint_rows;
   std::vector<bool> mesh_row; ///< of nodal unknowns
 
-  std::vector<std::size_t> scatter_start; ///< of each own cell in `scatter`
-  std::vector<int> scatter;               ///< positions in sparse.values; -1: not stored (upper triangle)
-  std::vector<int> diagonal;              ///< position of each diagonal entry
+  std::vector<std::size_t> scatter_start;       ///< of each own cell in `scatter`
+  std::vector<int> scatter;                     ///< positions in sparse.values; -1: not stored (upper triangle)
+  std::vector<int> diagonal;                    ///< position of each diagonal entry
+  std::set<std::vector<std::size_t>> couplings; ///< nodes of elements for which there is room
   std::vector<int> cell_list;
   std::vector<double> projected, row_times_Z;
 };

@@ -24,6 +24,8 @@ public:
 
   /** Replaces the values by their sum over the processes, the same on each of them. */
   void sum(std::vector<double> &values) const;
+  /** The largest of the processes' values. */
+  double largest(double value) const;
 
 private:
   int my_rank     = 0;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pellicle/assembly/contraction.h>
-#include <pellicle/assembly/surface_cells.h>
+#include <pellicle/assembly/slave_points.h>
 #include <pellicle/kinematics/dense_matrix.h>
 #include <pellicle/potentials/potential.h>
 
@@ -12,9 +12,9 @@
 namespace pellicle
 {
 /**
- * Contribution of the points of one slave cell that touch one master cell, in plain R^3. Rows as in Element with one
- * field: component c of node number I in `nodes` is row c * nodes.size() + I. A node may occur twice where a surface
- * touches itself.
+ * Contribution of the points of one slave cell (or edge) that touch one master cell, in plain R^3. Rows as in Element
+ * with one field: component c of node number I in `nodes` is row c * nodes.size() + I. A node may occur twice where a
+ * surface touches itself.
  */
 struct ContactElement
 {
@@ -38,7 +38,7 @@ class ContactElementSums
 {
 public:
   /** `order`: value makes no elements, gradient no matrices. */
-  ContactElementSums(const SurfaceCells &slave, const SurfaceCells &master, Order order);
+  ContactElementSums(const SlavePoints &slave, const SurfaceCells &master, Order order);
 
   /** What follows is of a point of this pair; N_I = shapes[I]. Cells of the slave come one after the other. */
   void select(std::size_t slave_cell, std::size_t master_cell, const double *shapes);
@@ -59,7 +59,8 @@ public:
 private:
   ContactElement &current() { return sums.elements[selected]; }
 
-  const SurfaceCells &slave, &master;
+  const SlavePoints &slave;
+  const SurfaceCells &master;
   Order order;
   std::vector<std::size_t> master_cells; ///< by element
   std::size_t slave_cell = 0, first_of_slave_cell = 0, selected = 0;

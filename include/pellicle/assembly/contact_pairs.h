@@ -3,7 +3,7 @@
 
 #include <pellicle/assembly/contact_elements.h>
 #include <pellicle/assembly/contact_search.h>
-#include <pellicle/assembly/slave_points.h>
+#include <pellicle/assembly/pair_term.h>
 #include <pellicle/discretization/point_walk.h>
 #include <pellicle/kinematics/gap_second_variation.h>
 
@@ -33,6 +33,13 @@ enum class ContactMeasure
   current_reduced
 };
 
+/** Which gaps a pair holds back. */
+enum class ContactSides
+{
+  one, ///< g >= 0, the pressure only pushes
+  two  ///< g = 0: a line that liquid pulls along pushes or pulls (q of (15) and (61), Sauer 2014)
+};
+
 /** How surfaces resist each other. */
 struct ContactLaw
 {
@@ -43,19 +50,20 @@ struct ContactLaw
   /** Slave points in each direction of a cell beyond degree + 1. The master's shape functions have kinks within slave
    * cells of another mesh, which more points integrate better. */
   unsigned int extra_gauss_points = 0;
+  ContactSides sides              = ContactSides::one;
 };
 
 /** A slave point as it was last seen. */
 struct ContactPoint
 {
-  double multiplier = 0.;                ///< p
-  double pressure   = 0.;                ///< t = [p - eps g]_+ >= 0 per unit of the measure's area; 0: does not touch
+  double multiplier = 0.; ///< p
+  double pressure   = 0.; ///< t = [p - eps g]_+ per unit of the measure's area, without [ ]_+ on two sides
   std::optional<ContactPartner> partner; ///< none: too far, or beside the master
 };
 
 /**
- * Frictionless contact of a slave surface with a master that deforms: every slave point has g >= 0 to its closest point
- * of the master, enforced by penalty and multiplier,
+ * Frictionless contact of a slave surface or line with a master that deforms: every slave point has g >= 0 to its
+ * closest point of the master, enforced by penalty and multiplier,
  *
  *     energy = sum over points ([p - eps g]_+^2 - p^2)/(2 eps) dA
  *
@@ -63,30 +71,38 @@ struct ContactPoint
  * is a penalty. augment() moves the pressure to the multipliers (Uzawa), after which the remaining gap shrinks.
  *
  *     pairs.evaluate(x, Order::hessian) ... Newton steps until equilibrium, then
- *     while (pairs.augment() > tolerance) { Newton steps again }
+ *     while (pairs.augment().relative() > tolerance) { Newton steps again }
  */
-class ContactPairs
+class ContactPairs : public PairTerm
 {
 public:
   /** `reference`: positions at which areas are measured. Throws UserError unless eps > 0 and the variation exists. */
-  ContactPairs(const SurfaceCells &slave, SurfaceCells master, const NodalVectors &reference, const ContactLaw &law);
+  ContactPairs(const SurfaceCells &slave, SurfaceCells master, const NodalVectors &reference, const ContactLaw &law,
+               std::string name = "contact");
+  /** A slave with points of its own choice, such as a line, which has no current measure (asserted). */
+  ContactPairs(SlavePoints slave, SurfaceCells master, const ContactLaw &law, std::string name = "contact");
+
+  const std::string &name() const override { return own_name; }
+  void distribute(const Communicator &communicator) override { slave_points.distribute(communicator); }
 
   /** Finds closest points at these positions and forms energy and elements. Throws SolveError as ContactSearch does,
    * and for touching points at centres of curvature. */
-  ContactElements evaluate(const NodalVectors &positions, Order order);
+  ContactElements evaluate(const NodalVectors &positions, Order order) override;
 
-  /** p <- t with the pressures of the last evaluation; returns the largest change over the largest pressure (0 without
-   * any). */
-  double augment();
+  MultiplierChange pending() const override;
+  /** p <- t */
+  MultiplierChange augment() override;
 
-  /** [cell * n_gauss + q], as last evaluated. */
+  /** [cell * n_gauss + q], as last evaluated; only those of this process are kept up to date. */
   const std::vector<ContactPoint> &points() const { return states; }
   const SlavePoints &slave() const { return slave_points; }
   const SurfaceCells &master() const { return search.master(); }
 
 private:
+  bool touches(const ContactPoint &state) const;
   void add_point(const WalkPoint &at, double area, const ContactPoint &state, ContactElementSums &sums) const;
 
+  std::string own_name;
   SlavePoints slave_points;
   ContactSearch search;
   ContactLaw law;

@@ -3,10 +3,11 @@
 
 #include <pellicle/assembly/contact_elements.h>
 #include <pellicle/assembly/contact_search.h>
-#include <pellicle/assembly/slave_points.h>
+#include <pellicle/assembly/pair_term.h>
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace pellicle
@@ -20,6 +21,7 @@ struct TiedPoint
   std::array<double, 2> xi{}; ///< xi_0
   std::vector<double> shapes; ///< M_K(xi_0)
   Vector3<double> multiplier; ///< f
+  Vector3<double> traction;   ///< f - eps g, as last evaluated
 };
 
 /**
@@ -29,25 +31,34 @@ struct TiedPoint
  *     energy = sum over points (-f . g + (eps/2) |g|^2) dA,  f - eps g: traction of the master on the slave
  *
  * Quadratic: the matrix is constant, Dd g = 0. Areas are of the reference state. augment(): f <- f - eps g (Uzawa).
+ * On a line f contains q and q_alpha, which act on the contact line of a drop that does not slip.
  */
-class ContactTies
+class ContactTies : public PairTerm
 {
 public:
   /** Ties all slave points that have a partner at these positions within the limits to the material point that is then
    * closest; others are left free. Positions are also the reference for areas. Throws UserError unless eps > 0. */
   ContactTies(const SurfaceCells &slave, SurfaceCells master, const NodalVectors &positions, double penalty,
-              const SearchLimits &limits);
+              const SearchLimits &limits, std::string name = "tie");
+  /** The same for a slave with points of its own choice, such as a line. */
+  ContactTies(SlavePoints slave, SurfaceCells master, const NodalVectors &positions, double penalty,
+              const SearchLimits &limits, std::string name = "tie");
 
-  ContactElements evaluate(const NodalVectors &positions, Order order) const;
-
-  /** f <- f - eps g at these positions; returns the largest change over the largest traction. */
-  double augment(const NodalVectors &positions);
+  const std::string &name() const override { return own_name; }
+  void distribute(const Communicator &communicator) override { slave.distribute(communicator); }
+  ContactElements evaluate(const NodalVectors &positions, Order order) override;
+  MultiplierChange pending() const override;
+  /** f <- f - eps g */
+  MultiplierChange augment() override;
+  /** Nodes of the cells that are tied, on both sides. */
+  std::vector<std::size_t> material_nodes() const override;
 
   const std::vector<TiedPoint> &points() const { return ties; }
   /** x - x_m of a tied point. */
   Vector3<double> gap(const TiedPoint &tie, const NodalVectors &positions) const;
 
 private:
+  std::string own_name;
   SlavePoints slave;
   SurfaceCells master;
   double penalty;

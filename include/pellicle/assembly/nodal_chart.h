@@ -91,9 +91,15 @@ NodalChart conormal_chart(const SurfaceDiscretization &discretization, const Nod
  */
 NodalChart edge_scalar_chart(const SurfaceDiscretization &discretization);
 
+/** Gives nodes all admissible directions, all of them physical: material points, whatever the chart of the others. */
+void free_nodes(const SurfaceDiscretization &discretization, const std::vector<bool> &material, NodalChart &chart);
+
 /** Unit normals at the nodes: averages of the cells' normals there, weighted by x,1 x x,2, projected to the admissible
- * directions. */
+ * directions; zero inside bodies. */
 NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const NodalVectors &positions);
+/** The same at the nodes of edge loops from the cells on the left of the loops alone: where a surface goes on beyond a
+ * line, it may have a kink there. Elsewhere zero. */
+NodalVectors nodal_normals_at_edges(const SurfaceDiscretization &discretization, const NodalVectors &positions);
 
 /** Weights w_I > 0 of the nodes that add up to the area: the diagonal of the mass matrix, scaled. (Row sums may vanish
  * at the pole of a meridian.) */

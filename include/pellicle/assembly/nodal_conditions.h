@@ -30,7 +30,8 @@ AdmissibleDirections held();
 
 /**
  * Columns of the nodes that stay on bodies at the present positions, tangential to the bodies. On an edge loop the one
- * across the line is physical, whatever becomes of the others: it moves the line over the body.
+ * across the line is physical, whatever becomes of the others: it moves the line over the body. Nodes that are held
+ * stay held.
  *
  * Called again for the same chart when nodes have moved, it carries the columns over to the new tangent planes without
  * turning them: Newton's method would lose its quadratic end if they followed the line. Throws SolveError where a body

@@ -24,12 +24,21 @@ public:
   virtual const std::string &name() const = 0;
   /** Called once before the first equilibrium of a load step. */
   virtual void begin_step(const SurfaceProblem & /*problem*/) {}
+  /** Takes over the numbers of a scene: of the first one, and of each load step before its first equilibrium. */
+  virtual void take(const SceneTargets & /*targets*/) {}
   /** Adds what the statuses ask of the nodes. */
   virtual void add_conditions(NodalConditions & /*conditions*/) const {}
   /** Adds the terms that the statuses bring. Number and places of the terms must not depend on the statuses; what they
    * hold may be shared with this object and change with them. */
   virtual void add_potentials(PotentialSet & /*set*/) const {}
-  /** New statuses at the problem's present equilibrium; returns how many nodes changed theirs. */
+  /** Moves nodes to where their statuses want them before the next equilibrium is looked for. */
+  virtual void place(NodalVectors & /*positions*/) const {}
+  /** Whether the scene's rigid motions still cost no energy with these statuses, so that they must be a gauge. */
+  virtual bool leaves_rigid_motions() const { return true; }
+  /** New statuses at the problem's present equilibrium; returns how many nodes changed theirs. Throws SolveError if no
+   * statuses can fulfil the inequalities. */
   virtual std::size_t update(const SurfaceProblem &problem) = 0;
+  /** What the statuses tell about a solve that failed, for its message; empty: nothing. */
+  virtual std::string about_failure() const { return ""; }
 };
 } // namespace pellicle

@@ -8,13 +8,13 @@
 namespace pellicle
 {
 /**
- * Quantities of a drop, internal units: `contact_radius` (of the circle with the wetted area), `contact_angle_degrees`
- * with `_min` and `_max` in space, `apex_height` (largest z), `volume`, `liquid_gas_area`, `solid_liquid_area`,
- * `base_pressure_force` (z component of the liquid's push on the wetted base), `liquid_weight` (rho g V).
+ * Quantities of a drop, internal units: `apex_height` (largest z), `volume`, `liquid_weight` (rho g V),
+ * `liquid_gas_area`, `solid_liquid_area`, `contact_radius` (of the circle with the wetted area of the substrate),
+ * `base_pressure_force` (z component of the liquid's push on that area), with a contact line `contact_angle_degrees`
+ * (in space also `_min` and `_max`), with an upper plate `plate_force` (positive: it pushes the plates apart).
  *
- * The contact angle is that of the balance of forces: gamma cos(theta) is the tangential force with which the
- * liquid-gas surface and the liquid pull at the line. It converges at twice the order of the angle between the
- * surfaces, and on lines that are free to move it is the wetting's angle exactly.
+ * Without a contact line the substrate carries F, the sum of the nodal contact forces, and the wetted area is F/p, p
+ * the pressure in the liquid there: the active nodes alone would tell it to one cell only.
  */
 std::vector<NamedQuantity> measure_droplet(const SurfaceModel &model);
 } // namespace pellicle

@@ -17,9 +17,11 @@ struct DropletParameters
   double volume        = 2. * pi / 3.;
   double contact_angle = 90.; ///< degrees
   std::string angle_field;    ///< theta(x, y) in degrees; empty: contact_angle everywhere
-  double surface_tension = 1.;
-  double bond_number     = 0.;
-  double inclination     = 0.; ///< degrees
+  double surface_tension  = 1.;
+  double bond_number      = 0.;
+  double inclination      = 0.; ///< degrees
+  std::string base        = "eliminated";
+  double reference_volume = 0.; ///< 0: volume
 
   void bind(ParameterSection &section);
 };
@@ -39,7 +41,12 @@ public:
   bool has_origin() const override { return true; }
   std::vector<SceneEdge> edges() const override;
   NodalConditions conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const override;
+  std::optional<NodalVectors> reference_positions() const override;
+  /** Of line pinning and contact. */
+  std::vector<std::unique_ptr<ActiveSet>> active_sets(const SurfaceDiscretization &surface,
+                                                      const SceneTargets &targets) const override;
   SurfaceMeasures measures(const Scales &scales) const override;
+  Surroundings surroundings() const override;
 
 protected:
   void add_own_sections(std::vector<ParameterSection> &all) override;
@@ -49,6 +56,14 @@ protected:
   bool is_fixed(const std::string &parameter) const override;
 
 private:
+  bool has_two_plates() const;
+  bool is_cap_only() const { return droplet.base == "eliminated"; }
+  bool has_line() const;
+  void check_line_pinning() const;
+  /** Whether gravity is normal to the substrate at the origin. */
+  bool is_level() const;
+  /** Whether the drop's weight has a part along the substrate at the origin. */
+  bool is_pulled_along() const;
   std::vector<RigidMotion> free_motions() const;
 };
 

@@ -24,4 +24,16 @@ StartCap start_cap(const DropletParameters &droplet, const SubstrateParameters &
 /** The cap's mesh in the user's units, its rim on the substrate and named "contact line". Throws UserError where the
  * substrate is not smooth along the rim. */
 SurfaceDiscretization droplet_cap(const DropletScene &scene);
+
+/** Between the plates z = 0 and z = `Plate distance`: arcs that meet both at the contact angle, or a cylinder where
+ * there is no such arc. Rims: "contact line", "upper contact line". The user's units. */
+SurfaceDiscretization droplet_bridge(const DropletScene &scene);
+
+/** The cap and a flat base below it, regions "liquid gas" and "base". */
+SurfaceDiscretization cap_with_base(const DropletScene &scene);
+
+/** A sphere centred at the origin. */
+SurfaceDiscretization sphere_of_volume(const DropletScene &scene, double volume);
+/** A sphere that stands on z = 0, flattened there (for its weight) and at an upper plate. */
+SurfaceDiscretization resting_sphere(const DropletScene &scene);
 } // namespace pellicle

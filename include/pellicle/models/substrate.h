@@ -5,7 +5,9 @@
 #include <pellicle/kinematics/gap.h>
 #include <pellicle/potentials/wetting/substrate_chart.h>
 
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace pellicle
@@ -13,10 +15,11 @@ namespace pellicle
 /** Section "Substrate" of drops on rigid bodies, in the user's units. */
 struct SubstrateParameters
 {
-  std::string shape  = "plane";
-  double radius      = 1.;
-  std::string side   = "outside";
-  std::string height = "0";
+  std::string shape     = "plane";
+  double radius         = 1.;
+  std::string side      = "outside";
+  std::string height    = "0";
+  double plate_distance = std::numeric_limits<double>::infinity();
 
   void bind(ParameterSection &section);
 };
@@ -27,6 +30,9 @@ struct Substrate
   std::shared_ptr<const RigidBody> body;
   SubstrateChart chart;
 };
+
+/** The plate z = `Plate distance` above the drop, if there is one. */
+std::optional<Substrate> make_upper_plate(const SubstrateParameters &parameters, double unit);
 
 /** `unit`: length in the user's units. Throws UserError for a height that is no function of x and y. */
 Substrate make_substrate(const SubstrateParameters &parameters, double unit);

@@ -84,6 +84,8 @@ public:
   std::vector<NamedQuantity> forces() const;
   /** The surface with its fields, in the user's units. */
   SurfaceSample sample() const;
+  /** Bodies beside the surface, in the user's units; without cells if there are none. */
+  SurfaceSample surroundings() const { return own_surroundings ? own_surroundings(*this) : SurfaceSample(); }
 
   std::size_t n_cells() const { return discretization.n_cells; }
   /** Unknowns of the linear system that was solved last: name of field or "multipliers" -> number; "total". */
@@ -111,11 +113,14 @@ private:
   }
   void add_node_noise(const NodeNoise &noise);
   void check_constraints_are_independent();
+  void add_pairs(const SurfaceScene &scene, const Communicator &communicator);
   void take_from_mesh(const SurfaceScene &scene);
   PotentialSet potentials_of(const SurfaceScene &scene);
   void look_at_stability(EquilibriumSearch &search);
+  /** An equilibrium of the active sets; why there is none, as far as they know, is the search's failure. */
+  void solve_with_active_sets(EquilibriumSearch &search);
   /** Equilibria in turn with updates of the active sets, until no status changes. */
-  bool solve_with_active_sets(EquilibriumSearch &search);
+  bool settle_active_sets(EquilibriumSearch &search);
   void apply_active_sets();
   void count_unknowns();
 
@@ -143,7 +148,8 @@ private:
   std::map<std::string, std::shared_ptr<const std::vector<Vector3<double>>>> conormals; ///< of rims, by their names
   NodalConditions own_conditions; ///< those of the scene, without active sets
   std::vector<std::unique_ptr<ActiveSet>> active_sets;
-  SurfaceMeasures own_measures; ///< of the application
+  Surroundings own_surroundings; ///< of the application
+  SurfaceMeasures own_measures;  ///< of the application
   StabilityParameters stability_parameters;
   bool analyses_stability = false;
   std::optional<Stability> last_stability;

@@ -3,6 +3,7 @@
 
 #include <pellicle/assembly/assembler.h>
 #include <pellicle/assembly/bordered_system.h>
+#include <pellicle/assembly/pair_terms.h>
 #include <pellicle/models/internal_elimination.h>
 #include <pellicle/solvers/equilibrium_problem.h>
 
@@ -25,7 +26,8 @@ struct SurfaceState
   std::vector<double> rigid_reactions;
 };
 
-/** How the position's tangential freedom is fixed. */
+/** How the position's tangential freedom is fixed; nodes of bodies, and those that a pair term holds tangentially, move
+ * freely in each of them. */
 enum class PositionChart
 {
   graph,   ///< displacement along the nodal normals
@@ -35,8 +37,9 @@ enum class PositionChart
 
 /**
  * Equilibrium of a surface, and of the bodies that come with it, under listed energies and constraints: mesh + fields +
- * lists, in a chart (with bodies the material one). Internal fields are eliminated after every change of the others, so
- * Newton acts on the reduced energy. Fields that are multipliers take full steps, as the constraints' multipliers do.
+ * lists, in a chart. Pair terms (contact of parts that deform) may come in addition. Internal fields are eliminated
+ * after every change of the others, so Newton acts on the reduced energy. Fields that are multipliers take full steps,
+ * as the constraints' multipliers do.
  */
 class SurfaceProblem : public EquilibriumProblem
 {
@@ -54,9 +57,22 @@ public:
   const FieldLayout &layout() const { return field_layout; }
   const SurfaceDiscretization &discretization() const { return surface; }
 
-  /** Other conditions of the nodes' positions: they take effect with the next use_chart(). */
+  /** Other conditions of the nodes' positions: they take effect with the next use_chart(). Nodes that are to stay on
+   * bodies go there. */
   void set_conditions(NodalConditions conditions);
   const NodalConditions &nodal_conditions() const { return conditions; }
+  /** Whether the discretization's rigid motions are a gauge (the default): not if something holds the surface in space.
+   * It takes effect with the next use_chart(). */
+  void set_rigid_gauge(const bool wanted) { rigid_gauge = wanted; }
+
+  /** Terms that couple cells that meet; none to begin with. They take effect with the next use_chart(). Throws
+   * SolveError with the term's name where they make no sense at the present state. */
+  void set_pairs(std::shared_ptr<PairTerms> pairs);
+  /** Null: none. */
+  const std::shared_ptr<PairTerms> &pairs() const { return pair_terms; }
+  /** Whether there are nodes whose tangential motion is physical other than those that are free in every chart: only
+   * the material chart will do. Where there are no others, it is the natural one. */
+  bool needs_material_chart() const;
 
   /** Chart at the current positions; `mesh_reference`: positions whose metric the ALE mesh energy prefers. Throws
    * UserError if it would hold back tangential motion that a potential sees. */
@@ -82,6 +98,8 @@ public:
     std::vector<NodalVectors> constraints;
   };
   NodalForces nodal_forces() const;
+  /** The part of pair terms in the total. */
+  NodalVectors pair_forces() const;
   /** The same of other energies with the same constraints, the total. */
   NodalVectors nodal_forces(const PotentialSet &part) const;
   /** The body on which a node stays; null: none. */
@@ -101,7 +119,7 @@ public:
   double relative_residual() const override;
   double constraint_violation() const override;
   void add_drag(double zeta) override;
-  bool is_variational() const override { return chart != PositionChart::ale; }
+  bool is_variational() const override { return !system->numbering().charts[0].has_mesh_equations(); }
   int expected_negative_pivots() const override;
   double merit_slope(const std::vector<double> &direction) const override;
   double merit(const std::vector<double> &direction) const override;
@@ -116,6 +134,7 @@ public:
 
 private:
   TermValues evaluate(const SurfaceState &state) const;
+  TermValues at_full_multiplier_fields(const std::vector<double> &direction) const;
   double merit_of(const TermValues &values, const std::vector<double> &of_state,
                   const std::vector<double> &direction) const;
   std::vector<double> full_step_multipliers(const std::vector<double> &direction) const;
@@ -134,7 +153,12 @@ private:
   std::vector<NodalChart> charts_here() const;
   NodalVectors transversal_directions() const;
   void keep_nodes_on_bodies(NodalChart &positions) const;
+  void find_material_nodes();
+  std::size_t n_rigid() const { return rigid_gauge ? surface.rigid_motions.size() : 0; }
   void renew_gauge();
+
+  std::shared_ptr<PairTerms> pair_terms;
+  std::vector<bool> material; ///< nodes that are free in every chart
 
   PositionChart chart   = PositionChart::graph;
   bool renews_chart     = true;
@@ -144,6 +168,7 @@ private:
   std::unique_ptr<FieldLayout> mesh_layout;
   std::unique_ptr<Assembler> mesh_assembler;
   std::vector<double> node_areas;
+  bool rigid_gauge = true;
   std::vector<NodalVectors> rigid_directions;
 
   SurfaceState current, trial;
@@ -154,7 +179,8 @@ private:
  * it back, sum of (lambda^2/2) r. */
 double energy_of_self_terms(const TermValues &values, const std::vector<double> &multipliers);
 
-/** Whether all listed terms are: only then may tangential equilibrium be replaced by mesh equations. */
+/** Whether all listed terms of surfaces and edges are: only then may tangential equilibrium be replaced by mesh
+ * equations. */
 bool is_reparametrisation_invariant(const PotentialSet &set);
 
 /** Metric of a configuration at every quadrature point, as the reference of the mesh energy. */

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <pellicle/assembly/nodal_conditions.h>
+#include <pellicle/assembly/pair_term.h>
 #include <pellicle/base/parameters.h>
 #include <pellicle/discretization/surface_discretization.h>
 #include <pellicle/models/active_set.h>
 #include <pellicle/models/stability.h>
+#include <pellicle/models/surface_sample.h>
 #include <pellicle/potentials/potential_library.h>
 #include <pellicle/solvers/continuation.h>
 #include <pellicle/solvers/load_stepping.h>
@@ -61,6 +63,9 @@ struct NodeNoise
   double fraction = 0.;
   int seed        = 1;
 };
+
+/** What a picture shows beside a solved model: bodies. The user's units. */
+using Surroundings = std::function<SurfaceSample(const SurfaceModel &)>;
 
 /** What an application measures on a solved model beside what every surface has. Internal units. */
 using SurfaceMeasures = std::function<std::vector<NamedQuantity>(const SurfaceModel &)>;
@@ -130,7 +135,16 @@ public:
   {
     return {};
   }
+  /** Terms that couple parts that meet, in internal units, and the tolerance of their multipliers. */
+  virtual std::vector<std::shared_ptr<PairTerm>> pair_terms(const SurfaceDiscretization & /*surface*/,
+                                                            const SceneTargets & /*targets*/) const
+  {
+    return {};
+  }
+  virtual double multiplier_tolerance() const { return 1e-8; }
   virtual SurfaceMeasures measures(const Scales & /*scales*/) const { return {}; }
+  /** Empty: there are none. */
+  virtual Surroundings surroundings() const { return {}; }
 
   /** What effects take from the scene and from each other; what only a mesh knows is left out. */
   SceneTargets targets(const Scales &scales) const;

@@ -14,10 +14,11 @@ namespace pellicle
 std::optional<std::filesystem::path> find_render_script();
 
 /**
- * Draws the surface in a VTU file, coloured by mean curvature, with a section beside it, into a PNG file. Returns
+ * Draws the surface in a VTU file, coloured by mean curvature, with a section beside it, into a PNG file; in grey what
+ * is in the file `beside` (an empty path: nothing). Returns
  * nothing on success, else a sentence that says why there is no picture (renderer not installed, out of time, ...): a
  * run says so and goes on. Never throws; never takes longer than a minute.
  */
-std::optional<std::string> render_picture(const std::filesystem::path &vtu, const std::filesystem::path &png,
-                                          const std::string &title);
+std::optional<std::string> render_picture(const std::filesystem::path &vtu, const std::filesystem::path &beside,
+                                          const std::filesystem::path &png, const std::string &title);
 } // namespace pellicle

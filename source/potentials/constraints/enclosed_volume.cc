@@ -9,11 +9,11 @@ namespace pellicle
 {
 void VolumeConstraintParameters::bind(ParameterSection &section)
 {
-  section.number("Stiffness", stiffness, Range::positive().or_infinite(), {1, -6},
-                 "Stiffness c of the penalty energy (c/2)(V - V0)^2, V0 from Vesicle/Reduced volume or Droplet/Volume. "
-                 "inf: the volume "
-                 "is held exactly by a "
-                 "Lagrange multiplier. Either way the pressure P = c (V0 - V), inside minus outside, is reported.");
+  section.number(
+      "Stiffness", stiffness, Range::positive().or_infinite(), {1, -6},
+      "Stiffness c of the penalty energy (c/2)(V - V0)^2, V0 from Vesicle/Reduced volume or Droplet/Volume: a "
+      "liquid of bulk modulus K = c V0, whose pressure is K (1 - V/V0). inf: the volume is held exactly by a "
+      "Lagrange multiplier. Either way the pressure P = c (V0 - V), inside minus outside, is reported.");
 }
 
 const std::string &VolumeConstraintEffect::name() const
@@ -34,10 +34,9 @@ void VolumeConstraintEffect::contribute(const Scales &scales, const SceneTargets
   volume.measure = std::make_shared<DensityPotential<EnclosedVolume>>(name(), EnclosedVolume{});
   volume.target  = targets.volume;
   if (targets.droplet)
-    for (const SceneEdge &edge : targets.edges)
-      if (edge.name == contact_line)
-        if (auto base = make_base_volume(name(), targets.droplet->substrate, contact_line))
-          volume.further_parts.push_back(std::move(base));
+    for (const WettedBase &base : targets.droplet->bases)
+      if (auto part = make_base_volume(name(), base.chart, base.line))
+        volume.further_parts.push_back(std::move(part));
   volume.stiffness       = scaled(parameters, scales).stiffness;
   volume.quantity        = "volume";
   volume.multiplier      = "pressure";

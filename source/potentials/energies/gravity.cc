@@ -37,10 +37,9 @@ void GravityEffect::contribute(const Scales & /*scales*/, const SceneTargets &ta
 {
   const DropletTargets &drop = targets.drop();
   set.energies.push_back(std::make_shared<DensityPotential<Gravity>>(name(), Gravity{drop.body_force}));
-  for (const SceneEdge &edge : targets.edges)
-    if (edge.name == contact_line)
-      if (auto base = make_base_gravity(name(), drop.substrate, drop.body_force, contact_line))
-        set.energies.push_back(std::move(base));
+  for (const WettedBase &base : drop.bases)
+    if (auto part = make_base_gravity(name(), base.chart, drop.body_force, base.line))
+      set.energies.push_back(std::move(part));
 }
 
 // The force is proportional to the Bond number.
@@ -51,10 +50,9 @@ std::vector<ParameterDerivative> GravityEffect::derivatives(const Scales & /*sca
   const Vector3<double> per_unit_bond = drop.force_per_bond_number;
   std::vector<ParameterDerivative> list{
       {"Droplet/Bond number", std::make_shared<DensityPotential<Gravity>>(name(), Gravity{per_unit_bond}), "", 0.}};
-  for (const SceneEdge &edge : targets.edges)
-    if (edge.name == contact_line)
-      if (auto base = make_base_gravity(name(), drop.substrate, per_unit_bond, contact_line))
-        list.push_back({"Droplet/Bond number", std::move(base), "", 0.});
+  for (const WettedBase &base : drop.bases)
+    if (auto part = make_base_gravity(name(), base.chart, per_unit_bond, base.line))
+      list.push_back({"Droplet/Bond number", std::move(part), "", 0.});
   return list;
 }
 } // namespace pellicle

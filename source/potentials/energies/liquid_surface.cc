@@ -18,7 +18,11 @@ std::string LiquidSurfaceEffect::description() const
 
 void LiquidSurfaceEffect::contribute(const Scales & /*scales*/, const SceneTargets &targets, PotentialSet &set) const
 {
+  const DropletTargets &drop = targets.drop();
+  Where where;
+  if (drop.has_base_membrane)
+    where = {Where::Part::region, liquid_gas_region};
   set.energies.push_back(
-      std::make_shared<DensityPotential<SurfaceTension>>(name(), SurfaceTension{targets.drop().surface_tension}));
+      std::make_shared<DensityPotential<SurfaceTension>>(name(), SurfaceTension{drop.surface_tension}, where));
 }
 } // namespace pellicle

@@ -23,6 +23,12 @@ std::shared_ptr<const Potential> on_line(const std::string &name, const Substrat
       },
       chart);
 }
+/** A plane on which x . n = 0. */
+bool passes_through_origin(const SubstrateChart &chart)
+{
+  const auto *plane = std::get_if<PlaneChart>(&chart);
+  return plane != nullptr && plane->height == 0.;
+}
 } // namespace
 
 const UnitRule &ray_rule()
@@ -58,7 +64,7 @@ std::shared_ptr<const Potential> make_wetting(const std::string &name, const Sub
 std::shared_ptr<const Potential> make_base_volume(const std::string &name, const SubstrateChart &chart,
                                                   const std::string &edge)
 {
-  if (std::holds_alternative<PlaneChart>(chart))
+  if (passes_through_origin(chart))
     return nullptr;
   return on_line(name, chart, BaseVolumeIntegrand{}, ray_rule(), edge);
 }
@@ -66,7 +72,7 @@ std::shared_ptr<const Potential> make_base_volume(const std::string &name, const
 std::shared_ptr<const Potential> make_base_gravity(const std::string &name, const SubstrateChart &chart,
                                                    const Vector3<double> &force, const std::string &edge)
 {
-  if (std::holds_alternative<PlaneChart>(chart))
+  if (passes_through_origin(chart))
     return nullptr;
   return on_line(name, chart, BaseGravityIntegrand{force}, ray_rule(), edge);
 }

@@ -1,14 +1,36 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/kinematics/gap.h>
 #include <pellicle/potentials/wetting/substrate_chart.h>
 
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace pellicle
 {
-/** Name of the line where a drop's liquid-gas surface meets the substrate. */
-constexpr const char *contact_line = "contact line";
+/** Name of the line where a drop's liquid-gas surface meets the substrate; of the one on an upper plate. */
+constexpr const char *contact_line       = "contact line";
+constexpr const char *upper_contact_line = "upper contact line";
+/** Regions of a drop whose wetted base is a membrane of its own. */
+constexpr const char *liquid_gas_region = "liquid gas";
+constexpr const char *base_region       = "base";
+
+/** A wetted base that has no surface of its own: it enters by integrals along its line. */
+struct WettedBase
+{
+  std::string line; ///< name of the edge loop
+  SubstrateChart chart;
+};
+
+/** Contact angles in radians between which a contact line sticks; pi and 0: it does so at any angle. */
+struct PinningAngles
+{
+  double advancing = 0.;
+  double receding  = 0.;
+};
 
 /** What the effects of a drop take from its scene, internal units. */
 struct DropletTargets
@@ -20,6 +42,18 @@ struct DropletTargets
   Vector3<double> body_force; ///< rho b at Bond number and inclination of the scene
   Vector3<double> force_per_bond_number;
   double unit_of_place = 1.; ///< the scene's length in the user's units
-  SubstrateChart substrate;
+  std::vector<WettedBase> bases;
+  bool has_base_membrane = false; ///< the wetted base is a region of the surface
+  std::vector<std::shared_ptr<const RigidBody>> bodies;
+  std::vector<SubstrateChart> walls;    ///< their surfaces, one each
+  std::optional<PinningAngles> pinning; ///< of scenes whose contact line sticks
+  /** Of the base with the given line; the plane z = 0 if that base is a membrane. */
+  SubstrateChart chart_of(const std::string &line) const
+  {
+    for (const WettedBase &base : bases)
+      if (base.line == line)
+        return base.chart;
+    return PlaneChart{};
+  }
 };
 } // namespace pellicle

@@ -26,24 +26,27 @@ struct PlaceOnSubstrate
   Vector3<Number> place, area;
 };
 
-/** The plane z = 0: u = x, v = y. */
+/** The plane z = h with the drop above it (up = 1: u = x, v = y) or below it (up = -1: u = x, v = -y). */
 struct PlaneChart
 {
+  double height = 0.;
+  double up     = 1.;
+
   template <typename Number>
   std::array<Number, 2> coordinates(const Vector3<Number> &x) const
   {
-    return {{x[0], x[1]}};
+    return {{x[0], Number(up * x[1])}};
   }
   /** du, dv of a displacement dx of x. */
   template <typename Number>
   std::array<Number, 2> differential(const Vector3<Number> & /*x*/, const Vector3<Number> &dx) const
   {
-    return {{dx[0], dx[1]}};
+    return {{dx[0], Number(up * dx[1])}};
   }
   template <typename Number>
   PlaceOnSubstrate<Number> at(const Number &u, const Number &v) const
   {
-    return {{u, v, Number(0.)}, {Number(0.), Number(0.), Number(1.)}};
+    return {{u, Number(up * v), Number(height)}, {Number(0.), Number(0.), Number(up)}};
   }
 };
 
