@@ -32,7 +32,7 @@ inline VesicleScene scene_with(const std::vector<std::string> &effects)
 }
 
 template <typename EffectType>
-EffectType &effect(VesicleScene &scene)
+EffectType &effect(SurfaceScene &scene)
 {
   for (const auto &listed : scene.effects)
     if (auto *found = dynamic_cast<EffectType *>(listed.get()))
@@ -71,7 +71,7 @@ inline double relative_error(const double value, const double exact)
 class Solved
 {
 public:
-  explicit Solved(const VesicleScene &scene)
+  explicit Solved(const SurfaceScene &scene)
       : model(scene, communicator, timing)
       , result(model.solve(1, record))
       , seconds(timing.total())
@@ -97,7 +97,8 @@ public:
 
 /** Load steps as the application takes them, from an equilibrium: scene(t) for t from 0 (that of the model) to 1.
  * Returns the last t that was reached; `solved.result` is that of the last attempt. */
-inline double walk(Solved &solved, const int steps, const std::function<VesicleScene(double t)> &scene)
+template <typename SceneAt>
+double walk(Solved &solved, const int steps, const SceneAt &scene)
 {
   LoadParameters load;
   load.steps = steps;

@@ -3,6 +3,7 @@
 #include <pellicle/potentials/constraints/enclosed_volume.h>
 #include <pellicle/potentials/constraints/total_area.h>
 #include <pellicle/potentials/density_potential.h>
+#include <pellicle/potentials/energies/gravity.h>
 #include <pellicle/potentials/energies/helfrich_bending.h>
 #include <pellicle/potentials/energies/incompressible_rubber_skin.h>
 #include <pellicle/potentials/energies/mesh_distortion.h>
@@ -67,6 +68,10 @@ TEST(AutomaticDerivatives, SurfaceTension)
 TEST(AutomaticDerivatives, Pressure)
 {
   compare(Pressure{2.1});
+}
+TEST(AutomaticDerivatives, Gravity)
+{
+  compare(Gravity{{0.3, -0.2, -1.1}});
 }
 TEST(AutomaticDerivatives, TotalArea)
 {
