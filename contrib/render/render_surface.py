@@ -236,7 +236,7 @@ def main_view(surface, colours, beside):
     camera.SetViewUp(0, 0, 1)
     camera.SetViewAngle(22)
     renderer.ResetCamera()
-    fill_view(renderer, surface if beside is None else beside)
+    fill_view(renderer, [surface] if beside is None else [surface, beside])
 
     renderer.AutomaticLightCreationOff()
     key, fill = ((-0.9, 1.3, 1.4), 0.78, (1.0, 0.985, 0.96)), ((1.6, 0.2, 1.0), 0.30, (0.93, 0.96, 1.0))
@@ -252,18 +252,17 @@ def main_view(surface, colours, beside):
     return renderer
 
 
-def fill_view(renderer, surface):
-    """Moves the camera's window so that the surface, not its bounding sphere, fills the view."""
+def fill_view(renderer, surfaces):
+    """Moves the camera's window so that the surfaces, not their bounding sphere, fill the view."""
     camera = renderer.GetActiveCamera()
     aspect = view_aspect(MAIN_VIEW)
-    points = surface.GetPoints()
     matrix = camera.GetCompositeProjectionTransformMatrix(aspect, -1, 1)
     xs, ys = [], []
-    step = max(1, points.GetNumberOfPoints() // 5000)
-    for i in range(0, points.GetNumberOfPoints(), step):
-        x, y, _, w = matrix.MultiplyPoint((*points.GetPoint(i), 1.0))
-        xs.append(x / w)
-        ys.append(y / w)
+    for points in (surface.GetPoints() for surface in surfaces):
+        for i in range(0, points.GetNumberOfPoints(), max(1, points.GetNumberOfPoints() // 5000)):
+            x, y, _, w = matrix.MultiplyPoint((*points.GetPoint(i), 1.0))
+            xs.append(x / w)
+            ys.append(y / w)
     camera.SetWindowCenter((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2)
     extent = max(max(xs) - min(xs), max(ys) - min(ys)) / 2
     angle = math.radians(camera.GetViewAngle() / 2)
