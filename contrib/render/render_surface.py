@@ -225,7 +225,9 @@ def main_view(surface, colours, beside):
 
     # Tall shapes are seen from the side, flat ones from well above, where their dimples show.
     flatness = max(size[0], size[1]) / max(size[2], 1e-300)
-    elevation = math.radians(18 if flatness < 0.9 else 38) * camera_side(surface)
+    elevation = math.radians(18 if flatness < 0.9 or beside is not None else 38)
+    if beside is None:  # what lies on a body is not seen from below
+        elevation *= camera_side(surface)
     azimuth = math.radians(-60)
     direction = (math.cos(elevation) * math.cos(azimuth), math.cos(elevation) * math.sin(azimuth), math.sin(elevation))
     camera = renderer.GetActiveCamera()
@@ -234,7 +236,7 @@ def main_view(surface, colours, beside):
     camera.SetViewUp(0, 0, 1)
     camera.SetViewAngle(22)
     renderer.ResetCamera()
-    fill_view(renderer, surface)
+    fill_view(renderer, [surface] if beside is None else [surface, beside])
 
     renderer.AutomaticLightCreationOff()
     key, fill = ((-0.9, 1.3, 1.4), 0.78, (1.0, 0.985, 0.96)), ((1.6, 0.2, 1.0), 0.30, (0.93, 0.96, 1.0))
@@ -250,18 +252,17 @@ def main_view(surface, colours, beside):
     return renderer
 
 
-def fill_view(renderer, surface):
-    """Moves the camera's window so that the surface, not its bounding sphere, fills the view."""
+def fill_view(renderer, surfaces):
+    """Moves the camera's window so that the surfaces, not their bounding sphere, fill the view."""
     camera = renderer.GetActiveCamera()
     aspect = view_aspect(MAIN_VIEW)
-    points = surface.GetPoints()
     matrix = camera.GetCompositeProjectionTransformMatrix(aspect, -1, 1)
     xs, ys = [], []
-    step = max(1, points.GetNumberOfPoints() // 5000)
-    for i in range(0, points.GetNumberOfPoints(), step):
-        x, y, _, w = matrix.MultiplyPoint((*points.GetPoint(i), 1.0))
-        xs.append(x / w)
-        ys.append(y / w)
+    for points in (surface.GetPoints() for surface in surfaces):
+        for i in range(0, points.GetNumberOfPoints(), max(1, points.GetNumberOfPoints() // 5000)):
+            x, y, _, w = matrix.MultiplyPoint((*points.GetPoint(i), 1.0))
+            xs.append(x / w)
+            ys.append(y / w)
     camera.SetWindowCenter((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2)
     extent = max(max(xs) - min(xs), max(ys) - min(ys)) / 2
     angle = math.radians(camera.GetViewAngle() / 2)

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/constants.h>
 #include <pellicle/models/sample_substrate.h>
 #include <pellicle/models/surface_model.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pellicle
 {
 namespace
 {
-constexpr double margin       = 1.5; // of the square's half side over the drop's distance from the axis
-constexpr unsigned int n_side = 24;  // cells along a side
+constexpr double margin         = 1.3; // of the disc's radius over the drop's distance from the axis
+constexpr unsigned int n_across = 12, n_around = 24;
 constexpr unsigned int degree = 3;
 } // namespace
 
@@ -26,17 +26,16 @@ SurfaceSample sample_substrate(const SurfaceModel &model)
   sample.degree  = degree;
   const auto add = [&](const auto &chart)
   {
-    const double step = 2. * margin * reach / n_side;
-    for (unsigned int c = 0; c < n_side * n_side; ++c)
+    for (unsigned int c = 0; c < n_across * n_around; ++c)
       for (unsigned int p = 0; p < (degree + 1) * (degree + 1); ++p)
       {
-        const double u          = (c % n_side + double(p % (degree + 1)) / degree) * step - margin * reach,
-                     v          = (c / n_side + double(p / (degree + 1)) / degree) * step - margin * reach;
-        const Vector3<double> x = chart.at(u, v).place;
+        const double rho        = margin * reach / n_across * (c % n_across + double(p % (degree + 1)) / degree),
+                     phi        = 2. * pi / n_around * (c / n_across + double(p / (degree + 1)) / degree);
+        const Vector3<double> x = chart.at(rho * std::cos(phi), rho * std::sin(phi)).place;
         for (unsigned int i = 0; i < 3; ++i)
           sample.points.push_back(x[i] * model.scales().length);
       }
-    sample.n_cells += n_side * n_side;
+    sample.n_cells += n_across * n_around;
   };
   for (const SubstrateChart &chart : model.scene_targets().drop().walls)
     std::visit(add, chart);

@@ -7,7 +7,7 @@ namespace pellicle
 {
 class SurfaceModel;
 
-/** The substrate of a drop and, if there is one, the upper plate, as far as they are near the drop: one square of each
+/** The substrate of a drop and, if there is one, the upper plate, as far as they are near the drop: one disc of each
  * chart's coordinates. The user's units. */
 SurfaceSample sample_substrate(const SurfaceModel &model);
 } // namespace pellicle
