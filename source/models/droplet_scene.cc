@@ -18,6 +18,33 @@ namespace
 {
 constexpr double degree = pi / 180.;
 
+/** Throws UserError, naming the parameter, if its text is no function of x and y. */
+ExpressionOfPlace function_of_place(const std::string &parameter, const std::string &text)
+{
+  try
+  {
+    return ExpressionOfPlace(text);
+  }
+  catch (const UserError &error)
+  {
+    throw UserError(parameter + ": " + error.what());
+  }
+}
+
+/** Throws UserError unless the samples of f up to a distance from the origin are contact angles of caps. */
+void check_is_angle(const std::string &parameter, const FunctionOfPlace &f, const double reach)
+{
+  for (const double r : {0., 0.3, 0.7, 1.})
+    for (int i = 0; i < 8; ++i)
+    {
+      const double x = r * reach * std::cos(0.25 * pi * i), y = r * reach * std::sin(0.25 * pi * i);
+      const double angle = f.at(x, y).value;
+      if (!(angle > 0. && angle < 180.))
+        throw UserError(parameter + " = " + f.text() + " is " + exact_text(angle) + " at x = " + exact_text(x) +
+                        ", y = " + exact_text(y) + ". Allowed where the drop may be: degrees in (0, 180).");
+    }
+}
+
 /** Throws UserError unless f(x, y) is a function of the distance to the z axis alone, as far as samples tell. */
 void check_axisymmetric(const std::string &parameter, const FunctionOfPlace &f, const double reach)
 {
@@ -115,12 +142,17 @@ void DropletScene::check() const
         "none.");
   if (!droplet.angle_field.empty())
   {
-    const ExpressionOfPlace field(droplet.angle_field);
+    const ExpressionOfPlace field = function_of_place("Droplet/Contact angle field", droplet.angle_field);
+    check_is_angle("Droplet/Contact angle field", field, own_length());
     if (axial)
       check_axisymmetric("Droplet/Contact angle field", field, own_length());
   }
-  if (substrate.shape == "height field" && axial)
-    check_axisymmetric("Substrate/Height", ExpressionOfPlace(substrate.height), own_length());
+  if (substrate.shape == "height field")
+  {
+    const ExpressionOfPlace height = function_of_place("Substrate/Height", substrate.height);
+    if (axial)
+      check_axisymmetric("Substrate/Height", height, own_length());
+  }
   check_line_pinning();
   SurfaceScene::check();
 }

@@ -23,11 +23,12 @@ constexpr double steepest = 175. * degree; // polar angle of the rim of a start 
 // Where the drop overhangs, cells grow away from the line by crowding times the cotangent per radian: halves the digits
 // that are lost between 90 and 150 degrees.
 constexpr double crowding = 0.2;
-// Of the way to the cap that gravity makes, and how much cells then crowd at the line, where the drop is most curved,
-// per radian by which the start is too flat there: of 15 pairs that with the smallest errors at rho g = 1 (axial, Q3, 8
-// cells, 90, 120 and 150 degrees: 8e-10, 4e-9, 3e-7). A share of 0.2 is too little for 165 degrees to converge.
+// Of the way to the cap that gravity makes, and how much more cells then crowd at the line of an overhanging drop,
+// which is most curved there: times the cosine, per radian by which the start is too flat. Of 15 pairs that with the
+// smallest errors at rho g = 1 (axial, Q3, 8 cells, 90, 120 and 150 degrees). A share of 0.2 is too little for 165
+// degrees to converge.
 constexpr double share_of_gravity      = 0.7;
-constexpr double crowding_from_gravity = 3.;
+constexpr double crowding_from_gravity = 3.5;
 constexpr double flattest              = 2. * degree; // below it the start is a disc
 constexpr double largest_covered_angle = 0.98 * pi;   // of a sphere by the base
 
@@ -145,8 +146,8 @@ StartCap start_cap(const DropletParameters &droplet, const SubstrateParameters &
   // The steepness at the line is that of the contact angle, which a flattened cap does not have.
   const double steepness = cap_with(theta).rim_angle;
   if (steepness > 0.5 * pi)
-    shape.growth = -crowding / std::tan(steepness);
-  shape.growth += crowding_from_gravity * std::max(0., theta - settled);
+    shape.growth =
+        -crowding / std::tan(steepness) - crowding_from_gravity * std::cos(steepness) * std::max(0., theta - settled);
   return shape;
 }
 

@@ -1,105 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs the program `vesicle` the way a user does, each time in a folder of its own.
+"""Runs the program `vesicle` the way a user does.
 
 The environment variable PELLICLE_VESICLE names the program, PELLICLE_SCENES the folder of the shipped scenes; ctest sets both.
 """
 
-import csv
-import json
 import os
-import subprocess
-import tempfile
-import unittest
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-PROGRAM = os.environ["PELLICLE_VESICLE"]
+from pellicle_program import ProgramTest, in_pairs, settings
+
+__all__ = ["SCENES", "SMALL", "VesicleTest", "in_pairs", "settings"]
+
 SCENES = Path(os.environ["PELLICLE_SCENES"])
 
 # A meridian of 16 cells: solved in hundredths of a second.
 SMALL = ("Mesh/Symmetry=axial", "Mesh/Refinements=2", "Mesh/Degree=3")
 
 
-def settings(*assignments):
-    """Arguments that override parameters."""
-    return [argument for assignment in assignments for argument in ("--set", assignment)]
-
-
-class Run:
-    """A finished run: exit status, what it printed, and its files."""
-
-    def __init__(self, process, directory):
-        self.status, self.stdout, self.stderr = process.returncode, process.stdout, process.stderr
-        self.directory = directory
-
-    @property
-    def files(self):
-        return sorted(p.name for p in self.directory.iterdir()) if self.directory.is_dir() else []
-
-    @property
-    def summary(self):
-        def refuse(name):
-            raise ValueError(f"summary.json holds {name}, which is no JSON number")
-
-        return json.loads((self.directory / "summary.json").read_text(encoding="utf-8"), parse_constant=refuse)
-
-    @property
-    def quantities(self):
-        return self.summary["quantities"]
-
-    def table(self, name):
-        with open(self.directory / name, newline="", encoding="utf-8") as file:
-            return list(csv.DictReader(file))
-
-
-class VesicleTest(unittest.TestCase):
-    """A test with a temporary folder, in which its runs take place."""
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="pellicle_vesicle_")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
-    def write(self, name, text):
-        path = self.folder / name
-        path.write_text(text, encoding="utf-8")
-        return path
-
-    def call(self, *arguments, launcher=(), timeout=300, **environment):
-        """The program with exactly these arguments."""
-        return subprocess.run([*launcher, PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=timeout, check=False,
-                              cwd=self.folder, env={**os.environ, **environment})
-
-    def run_scene(self, scene, *assignments, name="run", picture=False, options=(), **keywords):
-        """Runs a scene with overrides into the folder `name`. Without a picture unless wanted."""
-        overrides = settings(*assignments, *(() if picture else ("Output/Picture=false",)))
-        directory = self.folder / name
-        return Run(self.call(scene, *overrides, "--output-directory", directory, *options, **keywords), directory)
-
-    def solve(self, scene, *assignments, **keywords):
-        """As run_scene, and it must succeed."""
-        run = self.run_scene(scene, *assignments, **keywords)
-        self.assertEqual(run.status, 0, run.stderr)
-        self.assertEqual(run.summary["status"], "converged")
-        return run
-
-    def assert_within(self, value, expected, relative):
-        self.assertLessEqual(abs(value - expected), relative * abs(expected), f"{value!r} is not {expected!r} within {relative} of it")
-
-    def assert_clear_refusal(self, process, directory, words):
-        """Exit status 2 and one message on stderr that holds all the words; no summary, nothing of what the program is made of."""
-        text = process.stderr
-        self.assertEqual(process.returncode, 2, text)
-        self.assertTrue(text.startswith("vesicle: "), text)
-        self.assertLessEqual(len(text.splitlines()), 3, text)
-        for word in words:
-            self.assertIn(word, text)
-        for word in ("terminate", "dealii", "deal.II", "std::", "Assert", "backtrace", "MPI_ABORT", "should not happen"):
-            self.assertNotIn(word, text)
-        self.assertFalse((Path(directory) / "summary.json").exists(), text)
-
-
-def in_pairs(function, cases):
-    """Calls function for all cases, two at a time: most of the time of a refusal is the start of the program."""
-    with ThreadPoolExecutor(2) as pool:
-        return list(pool.map(function, cases))
+class VesicleTest(ProgramTest):
+    application = "vesicle"
+    program = os.environ["PELLICLE_VESICLE"]
