@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Start shapes of drops and balloons whose whole surface is there: closed surfaces that touch bodies.
+#include <pellicle/base/exact_text.h>
+#include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/builders.h>
 #include <pellicle/discretization/closed_at_rim.h>
 #include <pellicle/discretization/start_shapes.h>
@@ -13,6 +15,8 @@ namespace pellicle
 {
 namespace
 {
+constexpr double shallowest = 0.8; // distance of plates over the diameter of an elastic start sphere
+
 /** Radius of the flat base of a drop that does not wet: its weight over the pressure of a sphere. */
 double base_of_weight(const DropletScene &scene, const double radius)
 {
@@ -77,6 +81,13 @@ SurfaceDiscretization resting_sphere(const DropletScene &scene)
     surface.mesh_reference = surface.positions;
     return surface;
   }
+  if (scene.substrate.plate_distance < shallowest * 2. * R)
+    throw UserError(
+        "Substrate/Plate distance = " + exact_text(scene.substrate.plate_distance) +
+        ": the sphere that the run starts from, of diameter " + exact_text(2. * R) +
+        ", is too deep in the plates. Start where they barely touch it and close them in steps: section Load "
+        "with Parameter = Substrate/Plate distance and From = " +
+        exact_text(2. * R) + ".");
   const double base = scene.has_effect("liquid surface") && scene.has_effect("gravity") ? base_of_weight(scene, R) : 0.;
   const double centre = std::sqrt(R * R - base * base), upper = scene.substrate.plate_distance;
   for (std::size_t I = 0; I < surface.n_nodes; ++I)

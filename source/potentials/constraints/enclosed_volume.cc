@@ -37,8 +37,10 @@ void VolumeConstraintEffect::contribute(const Scales &scales, const SceneTargets
     for (const WettedBase &base : targets.droplet->bases)
       if (auto part = make_base_volume(name(), base.chart, base.line))
         volume.further_parts.push_back(std::move(part));
-  volume.stiffness       = scaled(parameters, scales).stiffness;
-  volume.quantity        = "volume";
+  volume.stiffness = scaled(parameters, scales).stiffness;
+  volume.quantity  = "volume";
+  if (targets.droplet && std::isfinite(volume.stiffness))
+    volume.energy = "compression_energy"; // of a liquid, not a penalty
   volume.multiplier      = "pressure";
   volume.multiplier_sign = -1.;
   volume.dimension       = dimensions::volume;
