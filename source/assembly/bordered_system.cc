@@ -281,6 +281,8 @@ void BorderedSystem::add_cell_residual(const Cell &cell, const Element &physics,
                                        const Element *mesh)
 {
   const std::size_t n_fields = physics.n_rows / (3 * cell.n_nodes);
+  // A system without border has no rows for them; pairs have no constraints.
+  const std::size_t n_constraints = std::min(unknowns.n_constraints, constraint_gradients.size());
   for (std::size_t i = 0; i < cell.n_nodes; ++i)
     for (std::size_t f = 0; f < n_fields; ++f)
       for (unsigned int a = 0; a < unknowns.count(f, cell.nodes[i]); ++a)
@@ -300,7 +302,7 @@ void BorderedSystem::add_cell_residual(const Cell &cell, const Element &physics,
           right[unknown] += r;
           contributions[unknown] += std::abs(r);
         }
-        for (std::size_t k = 0; k < constraint_gradients.size(); ++k)
+        for (std::size_t k = 0; k < n_constraints; ++k)
           if (!constraint_gradients[k].empty())
             constraint_rows[k][unknown] += along_z(constraint_gradients[k]);
       }
