@@ -12,9 +12,9 @@ void MeshParameters::bind(ParameterSection &section)
 {
   section.integer("Degree", degree, 2, 5,
                   "Polynomial degree k of position and moment. Curvature converges at order k, energies at order 2k.");
-  section.integer(
-      "Refinements", refinements, 0, 8,
-      "Refinements r of the coarsest mesh: a closed surface has 6 * 4^r cells, a meridian 4 * 2^r from pole to pole.");
+  section.integer("Refinements", refinements, 0, 8,
+                  "Refinements r of the coarsest mesh: a closed surface has 6 * 4^r cells, a meridian 4 * 2^r from "
+                  "pole to pole, a cap 12 * 4^r and 2 * 2^r from pole to rim.");
   section.choice("Symmetry", symmetry, {"none", "axial", "axial mirror"},
                  "none: a surface in space. axial: a meridian, revolved about the z axis. axial mirror: its upper "
                  "half, mirrored at z = 0.");
