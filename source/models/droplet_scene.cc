@@ -129,6 +129,14 @@ void DropletScene::check() const
   if (!has_effect("liquid surface") && !has_skin)
     throw UserError("The list Effects has neither 'liquid surface' nor an elastic skin: nothing holds the liquid "
                     "together.");
+  if (has_line() && !has_effect("wetting") && !has_effect("line pinning"))
+    throw UserError(
+        "The list Effects has no 'wetting': nothing makes the drop meet the substrate at Droplet/Contact angle "
+        "= " +
+        exact_text(droplet.contact_angle) + " (without it the angle would be 90).");
+  if (!has_effect("volume constraint") && !has_effect("pressure"))
+    throw UserError("The list Effects has neither 'volume constraint' nor 'pressure': nothing keeps the drop from "
+                    "shrinking to a point.");
   if (has_skin && (is_cap_only() || has_line()))
     throw UserError("Elastic skins need a closed surface without contact line: set Droplet/Base = membrane and "
                     "Droplet/Contact angle = 180.");
