@@ -84,6 +84,16 @@ std::size_t NodalContact::update(const SurfaceProblem &problem)
   return changes;
 }
 
+std::string NodalContact::about_failure() const
+{
+  std::string text;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (const auto n = std::count(touched.begin(), touched.end(), static_cast<int>(b)); n > 0)
+      text += (text.empty() ? "in contact at its nodes: " : ", ") + std::to_string(n) + " on the " + bodies[b]->name() +
+              (bodies.size() > 1 ? " " + std::to_string(b + 1) : "");
+  return text.empty() ? "no node touches a body" : text;
+}
+
 std::size_t NodalContact::n_active() const
 {
   return static_cast<std::size_t>(std::count_if(touched.begin(), touched.end(), [](const int b) { return b != none; }));

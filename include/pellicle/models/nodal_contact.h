@@ -29,6 +29,8 @@ public:
   void take(const SceneTargets &targets) override;
   void add_conditions(NodalConditions &conditions) const override;
   std::size_t update(const SurfaceProblem &problem) override;
+  /** Which bodies are touched, and by how many nodes. */
+  std::string about_failure() const override;
 
   std::size_t n_active() const;
   /** Whether a node touches the given body now. */
