@@ -5,11 +5,14 @@
 #include "droplet_runs.h"
 
 #include <pellicle/assembly/edge_frames.h>
+#include <pellicle/kinematics/box.h>
 #include <pellicle/models/nodal_contact.h>
 #include <pellicle/potentials/elastic_skin.h>
 #include <pellicle/potentials/energies/neo_hookean_skin.h>
 
 #include <gtest/gtest.h>
+
+#include <memory>
 
 namespace
 {
@@ -166,5 +169,59 @@ TEST(DropletContact, BalloonBetweenPlates)
     expect_near_relative(solved, "plate_force", c.force, 5e-3);
     expect_near_relative(solved, "total_energy", c.energy, 1e-4);
   }
+}
+
+/** A drop on a box instead of the plane. Lengths of the box in units of R_eq. */
+class DropOnPillar : public DropletScene
+{
+public:
+  explicit DropOnPillar(const double half_width)
+      : half_width(half_width)
+  {
+  }
+
+protected:
+  void set_targets(const Scales &scales, SceneTargets &targets) const override
+  {
+    DropletScene::set_targets(scales, targets);
+    targets.droplet->bodies = {
+        std::make_shared<Box>(Vector3<double>(0., 0., -0.5), Vector3<double>(half_width, half_width, 0.5))};
+  }
+
+private:
+  double half_width;
+};
+
+// The contact area on a plane has radius .565 R_eq. A pillar that is wider changes nothing; on a narrower one the drop
+// hangs over the edges and sinks; a node exactly on an edge has no normal, and the message says so.
+TEST(DropletContact, ObstacleWithEdges)
+{
+  const auto on_pillar = [](const double half_width)
+  {
+    auto scene = std::make_unique<DropOnPillar>(half_width);
+    list_effects(*scene, droplet_effects(), {"liquid surface", "volume constraint", "gravity", "contact"}, {});
+    scene->droplet.volume        = reference_volume;
+    scene->droplet.contact_angle = 180.;
+    scene->droplet.base          = "membrane";
+    scene->droplet.bond_number   = unit_bond_number;
+    return std::make_unique<Solved>(*scene);
+  };
+  double height = 1.243774869;
+  for (const double half_width : {0.7, 0.4})
+  {
+    SCOPED_TRACE(half_width);
+    const auto solved = on_pillar(half_width);
+    ASSERT_TRUE(solved->result.converged) << solved->result.failure;
+    const double weight = solved->quantity("liquid_weight");
+    EXPECT_NEAR(solved->quantity("base_pressure_force"), weight, 1e-2 * weight);
+    if (half_width > 0.565)
+      EXPECT_NEAR(solved->quantity("apex_height"), height, 1e-3 * height);
+    else
+      EXPECT_LT(solved->quantity("apex_height"), height - 0.01);
+    height = solved->quantity("apex_height");
+  }
+  const auto stuck = on_pillar(0.5);
+  EXPECT_FALSE(stuck->result.converged);
+  EXPECT_NE(stuck->result.failure.find("on the box"), std::string::npos) << stuck->result.failure;
 }
 } // namespace
