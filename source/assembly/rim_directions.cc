@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/assembly/rim_directions.h>
+#include <pellicle/base/constants.h>
 #include <pellicle/discretization/point_walk.h>
 
 #include <Eigen/SparseCholesky>
@@ -39,7 +40,7 @@ Eigen::SparseMatrix<double> screened_laplacian(const SurfaceDiscretization &disc
   const bool meridian       = discretization.kind == SurfaceDiscretization::Kind::meridian;
   double area               = 0.;
   for_all_points(tables, discretization.cell_nodes, positions, 3, [&](const WalkPoint &x) { area += x.area(); });
-  const double l2 = reach * reach * area / 3.14159265358979323846;
+  const double l2 = reach * reach * area / pi;
 
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<double> local(std::size_t(n) * n);

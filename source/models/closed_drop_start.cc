@@ -24,15 +24,15 @@ double base_of_weight(const DropletScene &scene, const double radius)
   const double weight = per_radius * 4. * pi / 3. * std::pow(radius, 3), pressure = 2. / radius + per_radius * radius;
   return std::min(0.9 * radius, std::sqrt(weight / (pi * pressure)));
 }
+
 /** Outline (r, z) of a flattened drop: flat above and below with radius a, half circles between the plates 0 and h. */
 struct Pancake
 {
   double a = 0., h = 1.;
 
-  double volume() const { return pi * h * (a * a + 0.5 * pi * a * 0.5 * h + h * h / 6.); }
+  /** From V = pi h (a^2 + pi a h/4 + h^2/6). */
   static Pancake of_volume(const double volume, const double h)
   {
-    // Quadratic equation for a.
     const double p = pi * h / 8., q = h * h / 6. - volume / (pi * h);
     return {-p + std::sqrt(p * p - q), h};
   }
@@ -64,7 +64,7 @@ SurfaceDiscretization sphere_of_volume(const DropletScene &scene, const double v
 SurfaceDiscretization resting_sphere(const DropletScene &scene)
 {
   SurfaceDiscretization surface = sphere_of_volume(scene, scene.droplet.volume);
-  const double R                = std::cbrt(3. * scene.droplet.volume / (4. * pi));
+  const double R                = scene.equivalent_radius();
   if (scene.substrate.plate_distance < 2. * R && scene.has_effect("liquid surface"))
   {
     const Pancake outline = Pancake::of_volume(scene.droplet.volume, scene.substrate.plate_distance);

@@ -4,7 +4,6 @@
 #include <pellicle/models/contact_line_measures.h>
 #include <pellicle/models/droplet_measures.h>
 #include <pellicle/models/largest_value.h>
-#include <pellicle/models/shape_measures.h>
 #include <pellicle/potentials/wetting/base_integral.h>
 
 #include <algorithm>
@@ -56,10 +55,11 @@ double over_base(const SurfaceDiscretization &surface, const WettedBase &base, c
       base.chart);
 }
 
-/** What a region of the surface measures: its area, and z component of the pressure's push outwards. */
+/** What a region of the surface measures: its area, its share of the volume, z component of the pressure's push
+ * outwards. */
 struct RegionMeasures
 {
-  double area = 0., push = 0.;
+  double area = 0., volume = 0., push = 0.;
 };
 
 std::vector<RegionMeasures> measure_regions(const SurfaceDiscretization &surface, const NodalVectors &positions,
@@ -72,8 +72,10 @@ std::vector<RegionMeasures> measure_regions(const SurfaceDiscretization &surface
                   auto &region = regions[surface.cell_region.empty() ? 0 : surface.cell_region[cell.number]];
                   for (unsigned int q = 0; q < surface.tables.n_points; ++q)
                   {
-                    region.area += cell[q].area();
-                    region.push += cell[q].weight * pressure(cell[q][0]) * cross(cell[q][1], cell[q][2])[2];
+                    const Vector3<double> dA = cell[q].weight * cross(cell[q][1], cell[q][2]);
+                    region.area += norm(dA);
+                    region.volume += dot(cell[q][0], dA) / 3.;
+                    region.push += pressure(cell[q][0]) * dA[2];
                   }
                 });
   return regions;
@@ -99,7 +101,6 @@ std::vector<NamedQuantity> measure_droplet(const SurfaceModel &model)
   const SurfaceDiscretization &surface = model.mesh();
   const NodalVectors positions         = model.positions();
   const DropletTargets &drop           = model.scene_targets().drop();
-  const ShapeMeasures shape            = measure_shape(surface, positions);
 
   Pressure pressure;
   for (const NamedQuantity &force : model.forces())
@@ -116,22 +117,24 @@ std::vector<NamedQuantity> measure_droplet(const SurfaceModel &model)
   report("apex_height",
          largest_value(CellGeometry(surface, positions), {{0., 0., 1.}, Vector3<double>(), Vector3<double>()}),
          dimensions::length);
-  double volume = shape.volume;
+  const std::vector<RegionMeasures> regions = measure_regions(surface, positions, pressure);
+  double volume                             = 0.;
+  for (const RegionMeasures &region : regions)
+    volume += region.volume;
   for (const WettedBase &base : drop.bases)
     volume += over_base(surface, base, positions, BaseVolumeIntegrand{});
   if (!surface.is_closed())
     report("volume", volume, dimensions::volume);
   report("liquid_weight", norm(pressure.force) * volume, force_dimension);
 
-  const std::vector<RegionMeasures> regions = measure_regions(surface, positions, pressure);
   report("liquid_gas_area", regions[0].area, dimensions::area);
   double wetted = 0., wetted_below = 0., push = 0.;
   if (!drop.bases.empty())
   {
-    for (const WettedBase &base : drop.bases)
-      wetted += over_base(surface, base, positions, AreaIntegrand{});
-    wetted_below = over_base(surface, drop.bases[0], positions, AreaIntegrand{});
-    push         = over_base(surface, drop.bases[0], positions, PressureForceIntegrand{pressure});
+    wetted = wetted_below = over_base(surface, drop.bases[0], positions, AreaIntegrand{});
+    for (std::size_t b = 1; b < drop.bases.size(); ++b)
+      wetted += over_base(surface, drop.bases[b], positions, AreaIntegrand{});
+    push = over_base(surface, drop.bases[0], positions, PressureForceIntegrand{pressure});
   }
   else if (drop.has_base_membrane)
   {

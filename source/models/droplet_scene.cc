@@ -204,6 +204,12 @@ bool DropletScene::is_level() const
   return std::abs(std::sin(droplet.inclination * degree)) < 1e-14;
 }
 
+Vector3<double> DropletScene::direction_of_gravity() const
+{
+  const double a = droplet.inclination * degree;
+  return {is_level() ? 0. : std::sin(a), 0., -std::cos(a)};
+}
+
 bool DropletScene::is_pulled_along() const
 {
   return has_effect("gravity") && droplet.bond_number != 0. && !is_level();
@@ -214,7 +220,7 @@ bool DropletScene::is_fixed(const std::string &parameter) const
   return SurfaceScene::is_fixed(parameter) || parameter == "Droplet/Surface tension";
 }
 
-double DropletScene::own_length() const
+double DropletScene::equivalent_radius() const
 {
   return std::cbrt(3. * droplet.volume / (4. * pi));
 }
@@ -232,12 +238,11 @@ void DropletScene::set_targets(const Scales &scales, SceneTargets &targets) cons
   drop.contact_angle   = droplet.contact_angle * degree;
   if (!droplet.angle_field.empty())
     drop.contact_angle_field = std::make_shared<ExpressionOfPlace>(droplet.angle_field, scales.length);
-  const double radius = own_length() / scales.length, a = droplet.inclination * degree;
-  drop.force_per_bond_number =
-      drop.surface_tension / (radius * radius) * Vector3<double>(is_level() ? 0. : std::sin(a), 0., -std::cos(a));
-  drop.body_force        = droplet.bond_number * drop.force_per_bond_number;
-  drop.unit_of_place     = scales.length;
-  drop.has_base_membrane = !is_cap_only() && has_line();
+  const double radius        = own_length() / scales.length;
+  drop.force_per_bond_number = drop.surface_tension / (radius * radius) * direction_of_gravity();
+  drop.body_force            = droplet.bond_number * drop.force_per_bond_number;
+  drop.unit_of_place         = scales.length;
+  drop.has_base_membrane     = !is_cap_only() && has_line();
 
   const Substrate lower                = make_substrate(substrate, scales.length);
   const std::optional<Substrate> upper = make_upper_plate(substrate, scales.length);
@@ -310,9 +315,9 @@ std::vector<RigidMotion> DropletScene::free_motions() const
     return {};
   if (substrate.shape == "height field")
   {
-    const double a = droplet.inclination * degree, weight = has_effect("gravity") ? droplet.bond_number : 0.;
+    const double weight = has_effect("gravity") ? droplet.bond_number : 0.;
     return free_motions_over(ExpressionOfPlace(substrate.height, own_length(), own_length()), 1.,
-                             weight * Vector3<double>(std::sin(a), 0., -std::cos(a)));
+                             weight * direction_of_gravity());
   }
   if (is_pulled_along())
     return {};

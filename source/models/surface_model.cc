@@ -83,11 +83,11 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
     active->take(targets);
     active->add_potentials(potentials);
   }
-  const NodalConditions &conditions = own_conditions;
   // Held rims fix the surface in space; there are no rigid motions left.
-  if (const auto position = conditions.find("position"); position != conditions.end() && !position->second.only.empty())
+  if (const auto position = own_conditions.find("position");
+      position != own_conditions.end() && !position->second.only.empty())
     discretization.rigid_motions.clear();
-  problem = std::make_unique<SurfaceProblem>(solved_mesh(), std::move(potentials), conditions, communicator,
+  problem = std::make_unique<SurfaceProblem>(solved_mesh(), std::move(potentials), own_conditions, communicator,
                                              newton.linear_solver, timing);
   solver  = make_linear_solver(newton.linear_solver);
   add_pairs(scene, communicator);

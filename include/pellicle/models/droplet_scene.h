@@ -36,6 +36,8 @@ public:
   DropletParameters droplet;
   SubstrateParameters substrate;
 
+  /** R_eq = (3V/4 pi)^(1/3), the user's units. */
+  double equivalent_radius() const;
   void check() const override;
   SurfaceDiscretization start_mesh() const override;
   bool has_origin() const override { return true; }
@@ -50,7 +52,7 @@ public:
 
 protected:
   void add_own_sections(std::vector<ParameterSection> &all) override;
-  double own_length() const override;
+  double own_length() const override { return equivalent_radius(); }
   double own_energy(double length) const override;
   void set_targets(const Scales &scales, SceneTargets &targets) const override;
   bool is_fixed(const std::string &parameter) const override;
@@ -64,6 +66,8 @@ private:
   bool is_level() const;
   /** Whether the drop's weight has a part along the substrate at the origin. */
   bool is_pulled_along() const;
+  /** Unit vector in the substrate's frame. */
+  Vector3<double> direction_of_gravity() const;
   std::vector<RigidMotion> free_motions() const;
 };
 

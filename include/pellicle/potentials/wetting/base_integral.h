@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/constants.h>
 #include <pellicle/potentials/potential.h>
 #include <pellicle/potentials/wetting/substrate_chart.h>
 
@@ -77,7 +78,7 @@ struct ContactAngleCosine
     if (!degrees)
       return Number(everywhere);
     using std::cos;
-    return cos(Number(3.14159265358979323846 / 180. * FunctionAtPlace<Number>(*degrees, x, y).value));
+    return cos(Number(pi / 180. * FunctionAtPlace<Number>(*degrees, x, y).value));
   }
 };
 
