@@ -69,6 +69,23 @@ const DropletTargets &SceneTargets::drop() const
   return *droplet;
 }
 
+const RidgeTargets &SceneTargets::soft_substrate() const
+{
+  if (!substrate)
+    throw UserError("The effects 'solid', 'solid skins' and 'free contact line' need a soft substrate: they belong to "
+                    "scenes of wetting_ridge.");
+  return *substrate;
+}
+
+std::vector<Where> boundary_of_liquid(const SceneTargets &targets)
+{
+  std::vector<Where> parts;
+  if (targets.droplet)
+    for (const std::string &region : targets.droplet->bounded_by)
+      parts.push_back({Where::Part::region, region});
+  return parts.empty() ? std::vector<Where>{Where()} : parts;
+}
+
 const std::string &region_name(const std::size_t region)
 {
   static const std::vector<std::string> names{"membrane", "domain"};

@@ -6,6 +6,7 @@
 #include <pellicle/potentials/potential.h>
 #include <pellicle/potentials/reference_metric.h>
 #include <pellicle/potentials/wetting/droplet_targets.h>
+#include <pellicle/potentials/wetting/ridge_targets.h>
 
 #include <limits>
 #include <memory>
@@ -26,8 +27,8 @@ namespace pellicle
 struct Constraint
 {
   std::shared_ptr<const Potential> measure; ///< g, integral of a density
-  /** Further parts of g on other sets of cells than the measure's (the volume over a curved base as an integral along
-   * the base's line); no two of them on the same set. */
+  /** Further parts of g on other cells than the measure's (the volume over a curved base as an integral along the
+   * base's line); no two of them on the same cell. */
   std::vector<std::shared_ptr<const Potential>> further_parts = {};
   /**
    * r of a further term - (lambda^2/2) r of the Lagrangian, where g(fields) stands for g - lambda r: measures of
@@ -113,6 +114,10 @@ struct SceneTargets
   std::optional<DropletTargets> droplet = std::nullopt;
   /** The same for effects that need one. Throws UserError if the scene has none. */
   const DropletTargets &drop() const;
+  /** Of scenes with a soft substrate. */
+  std::optional<RidgeTargets> substrate = std::nullopt;
+  /** The same for effects that need one. Throws UserError if the scene has none. */
+  const RidgeTargets &soft_substrate() const;
   /** Metric of the reference shape at every quadrature point, for elastic skins; null while a scene is only checked. */
   std::shared_ptr<const std::vector<ReferenceMetric>> reference = nullptr;
 };
@@ -160,6 +165,9 @@ public:
   /** Adds energies and constraints in internal units. */
   virtual void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const = 0;
 };
+
+/** The parts of the surface that together bound the liquid or the vesicle. */
+std::vector<Where> boundary_of_liquid(const SceneTargets &targets);
 
 /** Names of the regions that a surface may have, by their numbers: "membrane" (0) and "domain" (1). */
 const std::string &region_name(std::size_t region);

@@ -31,8 +31,13 @@ std::string VolumeConstraintEffect::description() const
 void VolumeConstraintEffect::contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const
 {
   Constraint volume;
-  volume.measure = std::make_shared<DensityPotential<EnclosedVolume>>(name(), EnclosedVolume{});
-  volume.target  = targets.volume;
+  const std::vector<Where> boundary = boundary_of_liquid(targets);
+  const auto part_on                = [&](const Where &where)
+  { return std::make_shared<DensityPotential<EnclosedVolume>>(name(), EnclosedVolume{}, where); };
+  volume.measure = part_on(boundary.front());
+  for (std::size_t p = 1; p < boundary.size(); ++p)
+    volume.further_parts.push_back(part_on(boundary[p]));
+  volume.target = targets.volume;
   if (targets.droplet)
     for (const WettedBase &base : targets.droplet->bases)
       if (auto part = make_base_volume(name(), base.chart, base.line))

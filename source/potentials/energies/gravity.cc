@@ -36,7 +36,8 @@ std::string GravityEffect::description() const
 void GravityEffect::contribute(const Scales & /*scales*/, const SceneTargets &targets, PotentialSet &set) const
 {
   const DropletTargets &drop = targets.drop();
-  set.energies.push_back(std::make_shared<DensityPotential<Gravity>>(name(), Gravity{drop.body_force}));
+  for (const Where &where : boundary_of_liquid(targets))
+    set.energies.push_back(std::make_shared<DensityPotential<Gravity>>(name(), Gravity{drop.body_force}, where));
   for (const WettedBase &base : drop.bases)
     if (auto part = make_base_gravity(name(), base.chart, drop.body_force, base.line))
       set.energies.push_back(std::move(part));
@@ -48,8 +49,10 @@ std::vector<ParameterDerivative> GravityEffect::derivatives(const Scales & /*sca
 {
   const DropletTargets &drop          = targets.drop();
   const Vector3<double> per_unit_bond = drop.force_per_bond_number;
-  std::vector<ParameterDerivative> list{
-      {"Droplet/Bond number", std::make_shared<DensityPotential<Gravity>>(name(), Gravity{per_unit_bond}), "", 0.}};
+  std::vector<ParameterDerivative> list;
+  for (const Where &where : boundary_of_liquid(targets))
+    list.push_back({"Droplet/Bond number",
+                    std::make_shared<DensityPotential<Gravity>>(name(), Gravity{per_unit_bond}, where), "", 0.});
   for (const WettedBase &base : drop.bases)
     if (auto part = make_base_gravity(name(), base.chart, per_unit_bond, base.line))
       list.push_back({"Droplet/Bond number", std::move(part), "", 0.});

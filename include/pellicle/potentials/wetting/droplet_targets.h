@@ -44,6 +44,8 @@ struct DropletTargets
   double unit_of_place = 1.; ///< the scene's length in the user's units
   std::vector<WettedBase> bases;
   bool has_base_membrane = false; ///< the wetted base is a region of the surface
+  /** Regions of the surface that bound the liquid; empty: all of it does. */
+  std::vector<std::string> bounded_by;
   std::vector<std::shared_ptr<const RigidBody>> bodies;
   std::vector<SubstrateChart> walls;    ///< their surfaces, one each
   std::optional<PinningAngles> pinning; ///< of scenes whose contact line sticks
