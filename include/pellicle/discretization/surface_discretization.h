@@ -71,10 +71,10 @@ struct CellSide
  */
 struct EdgeLoop
 {
-  std::string name;           ///< "rim", "ring", "tip", "domain boundary"
-  bool is_rim         = true; ///< the surface ends here; else it goes on
-  bool is_junction = false; ///< three sheets of the surface meet here, regions of it; the loop is on the first one
-  std::size_t n_cells = 0;    ///< one-dimensional ones; a meridian has one, a point
+  std::string name;            ///< "rim", "ring", "tip", "domain boundary"
+  bool is_rim         = true;  ///< the surface ends here; else it goes on
+  bool is_junction    = false; ///< three sheets of the surface meet here, regions of it; the loop is on the first one
+  std::size_t n_cells = 0;     ///< one-dimensional ones; a meridian has one, a point
   /** Nodes of edge c along the line: cell_nodes[c * tables.n_nodes + i], nodes of the surface. */
   std::vector<std::size_t> cell_nodes;
   std::vector<CellSide> sides; ///< of the surface's cell on the left of edge c
