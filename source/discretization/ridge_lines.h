@@ -3,6 +3,7 @@
 
 #include <pellicle/discretization/ridge_mesh.h>
 
+#include <array>
 #include <vector>
 
 namespace pellicle

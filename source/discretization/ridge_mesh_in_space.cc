@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "body_degree.h"
 #include "ridge_lines.h"
-#include "ridge_plan.h"
-#include "turned.h"
+#include "ridge_parts.h"
 
 #include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/bodies.h>
 #include <pellicle/discretization/edge_loops.h>
+#include <pellicle/discretization/refined_quads.h>
 #include <pellicle/potentials/wetting/droplet_targets.h>
 #include <pellicle/potentials/wetting/ridge_targets.h>
 
@@ -22,93 +23,7 @@ namespace pellicle
 namespace
 {
 constexpr unsigned int highest_degree = 3;
-constexpr double core_radius          = .28; ///< mean, over the ring's
-constexpr double round_part           = .3;  ///< of the way from the ring to the sides of a block: rings are circles
-constexpr double same_place           = 1e-9;
-
-/** Value of a piecewise linear function of t, whole numbers being its corners. */
-double along(const std::vector<double> &corners, const double t)
-{
-  const std::size_t i = std::min(corners.size() - 2, static_cast<std::size_t>(t));
-  const double f      = t - static_cast<double>(i);
-  return (1. - f) * corners[i] + f * corners[i + 1];
-}
-
-/** Distance from the axis within the contact line: the rings' lines are circles but for the innermost, the core's. */
-double radius_within(const std::vector<double> &radii, const double ring, const double azimuth_over_pi)
-{
-  const double core = std::max(0., 1. - ring) * radii.front();
-  return along(radii, ring) + core * (RidgePlan::core_outline(azimuth_over_pi) - 1.);
-}
-
-/** Distance from the axis to the sides of the square of half width 1. */
-double to_square(const double azimuth_over_pi)
-{
-  const Vector3<double> direction = turned(1., azimuth_over_pi, 0.);
-  return 1. / std::max(std::abs(direction[0]), std::abs(direction[1]));
-}
-
-/** A surface seen from above: whether cells are within the contact line. */
-struct SurfacePart
-{
-  SurfaceDiscretization surface;
-  std::vector<bool> within;
-};
-
-/** The substrate's top, in z = 0. */
-SurfacePart make_top(const RidgeShape &shape, const RidgePlanShape &plan)
-{
-  const double a                   = shape.ring_radius;
-  std::vector<double> radii        = downwards(a, graded_ends((1. - core_radius) * a, shape.cell_size, shape));
-  const std::size_t n_within       = radii.size() - 1;
-  const std::vector<double> beyond = graded_ends(shape.half_width - a, shape.cell_size, shape);
-  for (auto end = beyond.begin() + 1; end != beyond.end(); ++end)
-    radii.push_back(a + *end);
-  radii.back() = shape.half_width;
-
-  // Beyond the last circle, lines go over to the square.
-  const double last_circle =
-      a + *std::lower_bound(beyond.begin(), beyond.end() - 2, round_part * (shape.half_width - a));
-  const bool square  = plan.outline == RidgePlanShape::Outline::block;
-  const auto outline = [&](const double ring, const double azimuth_over_pi)
-  {
-    const double circle = radius_within(radii, ring, azimuth_over_pi);
-    const double excess = square ? shape.half_width * (to_square(azimuth_over_pi) - 1.) : 0.;
-    return circle + std::max(0., circle - last_circle) / (shape.half_width - last_circle) * excess;
-  };
-  const RidgePlan rings(plan.n_around, static_cast<unsigned int>(radii.size() - 1), plan.half);
-  SurfacePart top{rings.place(outline, shape.degree), {}};
-  for (const int ring : rings.ring_of_cell())
-    top.within.push_back(ring < static_cast<int>(n_within));
-  return top;
-}
-
-/** The spherical cap: a disc whose distances from the axis become polar angles. The drop is smooth up to the line: its
- * cells need not be as small there as the substrate's. */
-SurfaceDiscretization make_cap(const RidgeShape &shape, const RidgePlanShape &plan)
-{
-  constexpr double relative_size = 4.;
-  const CapOutline cap(shape);
-  const double stretch = cap.arc() / shape.ring_radius, largest = shape.coarsest * std::min(1., 1. / cap.angle());
-  const double size = std::min(relative_size * shape.cell_size / (shape.ring_radius * stretch), largest);
-  const std::vector<double> radii =
-      downwards(1., graded_ends(1. - core_radius, size, shape.growth, shape.coarsest, largest));
-  const RidgePlan rings(plan.n_around, static_cast<unsigned int>(radii.size() - 1), plan.half);
-  SurfaceDiscretization result = rings.place([&](const double ring, const double azimuth_over_pi)
-                                             { return radius_within(radii, ring, azimuth_over_pi); },
-                                             shape.degree);
-  for (std::size_t I = 0; I < result.n_nodes; ++I)
-  {
-    double *const x         = result.positions.data() + 3 * I;
-    const double rho        = std::hypot(x[0], x[1]);
-    const auto [r, z]       = cap.at(std::abs(rho - 1.) < same_place ? 1. : rho);
-    const double lengthened = rho > 0. ? r / rho : 0.;
-    x[0] *= lengthened;
-    x[1] *= lengthened;
-    x[2] = z;
-  }
-  return result;
-}
+constexpr double same_place           = 1e-9; ///< relative
 
 /** Nodes on the contact line, counterclockwise. */
 std::vector<std::size_t> ring_nodes(const SurfaceDiscretization &surface, const double ring_radius)
@@ -209,9 +124,7 @@ void count_twice(SurfaceDiscretization &ridge)
 void check_plan(const RidgeShape &shape, const RidgePlanShape &plan)
 {
   check_ridge(shape);
-  if (shape.degree < 1 || shape.degree > highest_degree)
-    throw UserError("Degree = " + std::to_string(shape.degree) + ": the cells of such a body have a degree from 1 to " +
-                    std::to_string(highest_degree) + ".");
+  check_body_degree(shape.degree, highest_degree);
   if (plan.n_around < 8 || plan.n_around > 512 || plan.n_around % 8 != 0)
     throw UserError("Cells around the contact line = " + std::to_string(plan.n_around) +
                     ": it must be a multiple of 8 between 8 and 512.");
@@ -221,9 +134,9 @@ void check_plan(const RidgeShape &shape, const RidgePlanShape &plan)
 SurfaceDiscretization ridge_in_space(const RidgeShape &shape, const RidgePlanShape &plan)
 {
   check_plan(shape, plan);
-  const SurfacePart top             = make_top(shape, plan);
+  const SurfacePart top             = ridge_top(shape, plan);
   const std::vector<double> heights = downwards(0., graded_ends(shape.thickness, shape.cell_size, shape));
-  SurfaceDiscretization result      = make_cap(shape, plan); // for its tables; nodes of the body come first
+  SurfaceDiscretization result      = ridge_cap(shape, plan); // for its tables; nodes of the body come first
   const SurfaceDiscretization cap   = result;
 
   BulkPart body                  = extruded(top.surface, heights);

@@ -3,15 +3,15 @@
 
 #include <pellicle/discretization/refined_quads.h>
 
-#include <array>
+#include <functional>
 #include <vector>
 
 namespace pellicle
 {
 /**
  * A disc of quadrilaterals about the z axis, or its half y >= 0: a core of (n/4)^2 around the axis and rings of n
- * around it, all of whose nodes are on n equally spaced meridian planes and those between them that belong to nodes
- * within cells. n is a multiple of 8, so that a square around the disc has its corners on planes.
+ * around it. Lines across the rings are straight, along equally spaced meridian planes: nodes of all rings have the
+ * same azimuths. n is a multiple of 8, so that a square around the disc has its corners on such lines.
  */
 class RidgePlan
 {
@@ -23,17 +23,15 @@ public:
    * boundary, whole numbers the lines between rings. */
   using Outline = std::function<double(double ring, double azimuth_over_pi)>;
 
-  /** The disc in z = 0, n = e_z; without rigid motions. Cells in the order of `ring_of_cell`. */
+  /** The disc in z = 0, n = e_z; without rigid motions. */
   SurfaceDiscretization place(const Outline &outline, unsigned int degree) const;
 
-  /** Ring of each cell, 0 the innermost; -1 in the core. */
+  /** Of each cell of that disc: its ring, 0 the innermost; -1 in the core. */
   std::vector<int> ring_of_cell() const;
 
   /** Radius of the core's boundary over its mean, a curve between a circle and a square: 1 + 0.2 (t^2 - 1/3), t from -1
    * to 1 between its corners. */
   static double core_outline(double azimuth_over_pi);
-  /** Its largest value. */
-  static constexpr double core_corner = 1. + .4 / 3.;
 
 private:
   Vector3<double> at(unsigned int patch, double u, double v, const Outline &outline) const;

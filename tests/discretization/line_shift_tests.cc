@@ -2,6 +2,7 @@
 // How the mesh of a soft substrate follows the contact line over the material.
 #include "ridge_checks.h"
 
+#include <pellicle/discretization/bodies.h>
 #include <pellicle/discretization/line_shift.h>
 
 #include <gtest/gtest.h>
@@ -131,6 +132,22 @@ TEST(LineShift, JacobiansStayPositive)
       const BodyMeasures moved = body_measures(ridge.bulks.front(), shifted(ridge, shift, s));
       EXPECT_GT(moved.worst_jacobian, 0.) << s;
       EXPECT_NEAR(moved.volume, volume, 1e-11); // the boundary stays where it is
+    }
+  }
+}
+
+TEST(LineShift, IsTheSameWithPressuresInTheBody)
+{
+  for (SurfaceDiscretization &ridge : ridges())
+  {
+    const LineShift before = line_shift(ridge);
+    add_pressure_nodes(ridge, 0);
+    const LineShift after = line_shift(ridge);
+    ASSERT_EQ(after.weight.size(), ridge.n_nodes);
+    for (std::size_t I = 0; I < ridge.n_nodes; ++I)
+    {
+      EXPECT_EQ(after.weight[I], I < before.weight.size() ? before.weight[I] : 0.);
+      EXPECT_EQ(after.leader[I], I < before.leader.size() ? before.leader[I] : I);
     }
   }
 }
