@@ -164,9 +164,10 @@ SurfaceDiscretization ridge_in_space(const RidgeShape &shape, const RidgePlanSha
   result.cell_region.assign(cap.n_cells, 0);
   add_cells(top, true, first_on_top, result);
   add_cells(top, false, first_on_top, result);
-  result.region_names   = {liquid_gas_region, solid_liquid_region, solid_gas_region};
-  result.mesh_reference = result.positions;
-  result.edges          = find_region_boundary(result, 0, contact_line);
+  result.region_names              = {liquid_gas_region, solid_liquid_region, solid_gas_region};
+  result.mesh_reference            = result.positions;
+  result.edges                     = find_region_boundary(result, 0, contact_line);
+  result.edges.front().is_junction = true;
 
   if (plan.half)
   {

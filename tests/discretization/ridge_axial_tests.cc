@@ -67,6 +67,7 @@ TEST(AxialRidge, PartsShareTheirNodes)
   const EdgeLoop &line = ridge.edges.front();
   EXPECT_EQ(line.name, "contact line");
   EXPECT_FALSE(line.is_rim);
+  EXPECT_TRUE(line.is_junction);
   ASSERT_EQ(line.cell_nodes.size(), 1u);
   const std::size_t ring = line.cell_nodes.front();
   EXPECT_EQ(place(ridge, ring)[0], 1.);

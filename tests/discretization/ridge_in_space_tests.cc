@@ -175,6 +175,7 @@ TEST(RidgeInSpace, NodesOfTheLineAreSharedAndOnTheCircle)
     const EdgeLoop &line = ridge.edges.front();
     EXPECT_EQ(line.name, "contact line");
     EXPECT_FALSE(line.is_rim);
+    EXPECT_TRUE(line.is_junction);
     EXPECT_EQ(line.n_cells, half ? 8u : 16u);
     const std::set<std::size_t> ring(line.cell_nodes.begin(), line.cell_nodes.end()),
         cap = region_nodes(ridge, {cap_region}), wetted = region_nodes(ridge, {wetted_region}),

@@ -27,8 +27,8 @@ struct RidgeShape
  *
  * Regions of the surface: "liquid gas", the cap from the pole to the ring; "solid liquid", from the ring to the axis,
  * n = -e_z, so that both together bound the liquid; "solid gas", from the ring to the side, n = e_z. The line
- * "contact line" is the end of the cap. The body "substrate" (see cylinder()) has the faces "side", "bottom" and "top",
- * whose nodes are those of the two solid regions. No rim, no rigid motion.
+ * "contact line" is the end of the cap, a junction. The body "substrate" (see cylinder()) has the faces "side",
+ * "bottom" and "top", whose nodes are those of the two solid regions. No rim, no rigid motion.
  *
  * Throws UserError unless 0 < ring_radius < half_width, volume and thickness are positive, and cell_size is between
  * 1e-6 and `coarsest` ring radii and no larger than half of what the substrate measures from the ring; for
