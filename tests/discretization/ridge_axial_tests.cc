@@ -162,6 +162,6 @@ TEST(AxialRidge, RefusesWhatHasNoMesh)
   EXPECT_USER_ERROR(axial_ridge(shape), "Volume of the drop = 0");
   shape        = paper_shape();
   shape.growth = 1.;
-  EXPECT_USER_ERROR(axial_ridge(shape), "Growth of cells = 1", "1.05 and 3");
+  EXPECT_USER_ERROR(axial_ridge(shape), "Growth of cells = 1", "1.01 and 3");
 }
 } // namespace

@@ -32,7 +32,7 @@ struct RidgeShape
  *
  * Throws UserError unless 0 < ring_radius < half_width, volume and thickness are positive, and cell_size is between
  * 1e-6 and `coarsest` ring radii and no larger than half of what the substrate measures from the ring; for
- * growth outside (1, 3], coarsest outside [0.02, 0.5] and other degrees.
+ * growth outside [1.01, 3], coarsest outside [0.01, 0.5] and other degrees.
  */
 SurfaceDiscretization axial_ridge(const RidgeShape &shape);
 
