@@ -40,7 +40,7 @@ void RunOutput::write_solution(const SurfaceModel &model, const int step, const 
   if (!writes || !parameters.solution)
     return;
   const Timing::Scope scope(timing, "output");
-  last_solution = solutions->write(model.sample(), step, time);
+  last_solution = solutions->write(model.sample(), step, time, model.body_samples());
 }
 
 void RunOutput::finish(const SurfaceModel &model, RunResult &result)
