@@ -159,6 +159,8 @@ public:
   /** Empty: there are none. */
   virtual Surroundings surroundings() const { return {}; }
 
+  /** What effects take from the undeformed mesh, at its quadrature points; internal units. */
+  virtual void add_references(const SurfaceDiscretization & /*start*/, SceneTargets & /*targets*/) const {}
   /** What effects take from the scene and from each other; what only a mesh knows is left out. */
   SceneTargets targets(const Scales &scales) const;
   /** Energies and constraints in internal units. */
