@@ -169,6 +169,18 @@ void RidgeScene::add_references(const SurfaceDiscretization &start, SceneTargets
   targets.substrate->skin_reference = targets.reference;
 }
 
+std::vector<LoadStage> RidgeScene::load_stages() const
+{
+  std::vector<LoadStage> stages{{"tensions", "Tensions/Scale"}};
+  if (has_effect("gravity"))
+  {
+    stages.push_back({"gravity", "Droplet/Body force"});
+    if (droplet.inclination != 0.)
+      stages.push_back({"inclination", "Droplet/Inclination"});
+  }
+  return stages;
+}
+
 std::vector<SceneEdge> RidgeScene::edges() const
 {
   return {{contact_line, EdgeSupport::inner}};

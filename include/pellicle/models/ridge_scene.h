@@ -75,6 +75,8 @@ public:
   void check() const override;
   SurfaceDiscretization start_mesh() const override;
   bool has_origin() const override { return true; }
+  /** Tensions, then gravity, then the inclination, as in Sauer 2014. */
+  std::vector<LoadStage> load_stages() const override;
   std::vector<SceneEdge> edges() const override;
   NodalConditions conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const override;
   SurfaceMeasures measures(const Scales &scales) const override;
