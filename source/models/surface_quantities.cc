@@ -4,6 +4,7 @@
 #include <pellicle/discretization/sheets.h>
 #include <pellicle/models/make_sample.h>
 #include <pellicle/models/nodal_curvature.h>
+#include <pellicle/models/sample_body.h>
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_model.h>
 
@@ -31,6 +32,9 @@ std::string energy_quantity(const std::string &potential)
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 }
+
+/** The field of the undeformed places of a body's nodes, where they are unknown. */
+constexpr const char *material_position = "material position";
 
 /** Adds to the quantity of that name, or appends it. */
 template <typename Quantity>
@@ -202,8 +206,11 @@ SurfaceSample SurfaceModel::sample() const
       {"mean_curvature_outward", 1, scaled_values(curvature.mean_outward, unit.of(dimensions::curvature))});
   fields.push_back({"gauss_curvature", 1, scaled_values(curvature.gauss, unit.of(dimensions::gauss_curvature))});
   for (std::size_t f = 1; f < state.fields.size(); ++f)
-    fields.push_back({problem->layout().fields()[f].name, 3,
-                      scaled_values(of_surface(state.fields[f]), unit.of(dimensions::line_tension))});
+    if (const Field &field = problem->layout().fields()[f]; field.space != FieldSpace::bulk_scalars)
+    {
+      const Dimension dimension = field.name == material_position ? dimensions::length : dimensions::line_tension;
+      fields.push_back({field.name, 3, scaled_values(of_surface(state.fields[f]), unit.of(dimension))});
+    }
 
   if (last_stability)
     for (std::size_t k = 0; k < last_stability->modes.size(); ++k)
@@ -213,5 +220,17 @@ SurfaceSample SurfaceModel::sample() const
   for (std::size_t i = 0; i < positions.size(); ++i)
     positions[i] += centroid[i % 3];
   return make_sample(surface, positions, fields);
+}
+
+std::vector<NamedSample> SurfaceModel::body_samples() const
+{
+  const FieldLayout &layout     = problem->layout();
+  const NodalVectors &reference = layout.has(material_position)
+                                      ? problem->state().fields[layout.index(material_position)]
+                                      : discretization.positions;
+  std::vector<NamedSample> list;
+  for (const BulkPart &body : discretization.bulks)
+    list.push_back({body.name, sample_body(*problem, discretization, body, reference, unit)});
+  return list;
 }
 } // namespace pellicle
