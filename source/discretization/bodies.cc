@@ -186,22 +186,42 @@ SurfaceDiscretization cylinder(const std::string &name, const CylinderShape &sha
 void keep_on_plane(SurfaceDiscretization &discretization, const std::vector<std::size_t> &nodes,
                    const Vector3<double> &normal)
 {
-  discretization.admissible.resize(discretization.n_nodes);
   for (const std::size_t node : nodes)
+    keep_on_plane(discretization, node, normal);
+}
+
+// Columns that are orthogonal to the normal stay as they are; of the others their parts along the plane do.
+void keep_on_plane(SurfaceDiscretization &discretization, const std::size_t node, const Vector3<double> &normal)
+{
+  constexpr double smallest = 1e-12;
+  discretization.admissible.resize(discretization.n_nodes);
+  AdmissibleDirections &directions = discretization.admissible[node];
+  AdmissibleDirections kept;
+  kept.count   = 0;
+  kept.columns = {};
+  std::vector<Vector3<double>> others;
+  const auto append = [&](const Vector3<double> &e) { kept.columns[kept.count++] = {{e[0], e[1], e[2]}}; };
+  for (unsigned int j = 0; j < directions.count; ++j)
   {
-    AdmissibleDirections &directions = discretization.admissible[node];
-    AdmissibleDirections kept;
-    kept.count   = 0;
-    kept.columns = {};
-    for (unsigned int j = 0; j < directions.count; ++j)
-    {
-      const auto &e      = directions.columns[j];
-      const double along = e[0] * normal[0] + e[1] * normal[1] + e[2] * normal[2];
-      PELLICLE_ASSERT(along == 0. || std::abs(along) == 1., "planes of symmetry are normal to the axes");
-      if (along == 0.)
-        kept.columns[kept.count++] = e;
-    }
-    directions = kept;
+    const auto &column = directions.columns[j];
+    const Vector3<double> e(column[0], column[1], column[2]);
+    if (std::abs(dot(e, normal)) < smallest)
+      append(e);
+    else
+      others.push_back(e);
   }
+  for (Vector3<double> e : others)
+  {
+    e -= dot(e, normal) * normal;
+    for (unsigned int j = 0; j < kept.count; ++j)
+    {
+      const auto &column = kept.columns[j];
+      const Vector3<double> before(column[0], column[1], column[2]);
+      e -= dot(e, before) * before;
+    }
+    if (norm(e) > smallest)
+      append((1. / norm(e)) * e);
+  }
+  directions = kept;
 }
 } // namespace pellicle

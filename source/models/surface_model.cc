@@ -207,6 +207,7 @@ PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
 {
   targets                      = scene.targets(unit);
   targets.reference            = reference;
+  scene.add_references(solved_mesh(), targets);
   targets.euler_characteristic = euler_characteristic(discretization);
   for (SceneEdge &edge : targets.edges)
   {

@@ -136,8 +136,9 @@ std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
   std::vector<std::pair<std::string, double>> list;
   const auto report = [&](const std::string &name, const double value, const Dimension dimension)
   { list.emplace_back(name, value * unit.of(dimension)); };
+  const bool has_inside = discretization.is_closed() && !discretization.has_junctions();
   report("area", shape.area, dimensions::area);
-  if (discretization.is_closed())
+  if (has_inside)
   {
     report("volume", shape.volume, dimensions::volume);
     report("reduced_volume", shape.reduced_volume, dimensions::none);
@@ -167,7 +168,7 @@ std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
   report("gauss_bonnet", shape.gauss_bonnet, dimensions::none);
   report("height", shape.height, dimensions::length);
   report("equatorial_radius", shape.equatorial_radius, dimensions::length);
-  if (discretization.is_closed())
+  if (has_inside)
     report("axis_thickness", shape.axis_thickness, dimensions::length);
   report("min_cell_quality", shape.min_cell_quality, dimensions::none);
   report("cell_area_ratio", shape.cell_area_ratio, dimensions::none);

@@ -17,7 +17,9 @@
 #include <pellicle/potentials/energies/surface_tension.h>
 #include <pellicle/potentials/energies/tu_ou_yang_skin.h>
 #include <pellicle/potentials/potential_library.h>
+#include <pellicle/potentials/solids/solid_effect.h>
 #include <pellicle/potentials/wetting/line_pinning.h>
+#include <pellicle/potentials/wetting/solid_skins.h>
 #include <pellicle/potentials/wetting/wetting.h>
 
 #include <cctype>
@@ -58,6 +60,18 @@ EffectLibrary droplet_effects()
   library.add("pressure", [] { return std::make_unique<PressureEffect>(); });
   library.add(NeoHookeanSkin::name, [] { return std::make_unique<SkinEffect<NeoHookeanSkin>>(); });
   library.add(IncompressibleRubberSkin::name, [] { return std::make_unique<SkinEffect<IncompressibleRubberSkin>>(); });
+  return library;
+}
+
+EffectLibrary ridge_effects()
+{
+  EffectLibrary library("effect");
+  library.add("liquid surface", [] { return std::make_unique<LiquidSurfaceEffect>(); });
+  library.add("volume constraint", [] { return std::make_unique<VolumeConstraintEffect>(); });
+  library.add("solid", [] { return std::make_unique<SolidEffect>(); });
+  library.add("solid skins", [] { return std::make_unique<SolidSkinsEffect>(); });
+  library.add("gravity", [] { return std::make_unique<GravityEffect>(); });
+  library.add("line tension", [] { return std::make_unique<LineTensionEffect>(); });
   return library;
 }
 

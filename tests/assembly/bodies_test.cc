@@ -81,8 +81,8 @@ TEST(Bodies, DerivativesOfAllSetsTogether)
     PotentialSet set;
     set.energies.push_back(std::make_shared<DensityPotential<ElasticBody<NeoHookeanSolid>>>(
         "solid", ElasticBody<NeoHookeanSolid>{{1.3, 0.6}, reference}, in_body));
-    set.energies.push_back(
-        std::make_shared<DensityPotential<IncompressibleLiquid>>("liquid", IncompressibleLiquid{reference}, in_body));
+    set.energies.push_back(std::make_shared<DensityPotential<IncompressibleLiquid>>(
+        "liquid", IncompressibleLiquid{{}, reference}, in_body));
     set.energies.push_back(std::make_shared<DensityPotential<SurfaceTension>>("tension", SurfaceTension{0.7}));
     set.energies.push_back(
         std::make_shared<DensityPotential<LineTension>>("line", LineTension{0.4}, Where{Where::Part::edge, "rim"}));

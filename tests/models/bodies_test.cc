@@ -154,7 +154,7 @@ Tube widened_tube(const unsigned int degree, const unsigned int n_cells)
   PotentialSet set;
   set.energies.push_back(solid(body, {mu, 0.}));
   set.energies.push_back(std::make_shared<DensityPotential<IncompressibleLiquid>>(
-      "incompressibility", IncompressibleLiquid{reference_of(body)}, in_body));
+      "incompressibility", IncompressibleLiquid{{}, reference_of(body)}, in_body));
   BodyRun run(body, set, conditions);
   NodalVectors start = body.positions;
   for (std::size_t I = 0; I < body.n_nodes; ++I)

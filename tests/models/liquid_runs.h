@@ -188,7 +188,7 @@ inline void add_liquid(const Drop &drop, const System system, SurfaceDiscretizat
     set.energies.push_back(std::make_shared<DensityPotential<DeadLoad>>("weight", DeadLoad{f, reference}, in_liquid));
   else
     set.energies.push_back(std::make_shared<DensityPotential<BodyForce>>("weight", BodyForce{f}, in_liquid));
-  const IncompressibleLiquid liquid{reference, drop.compliance};
+  const IncompressibleLiquid liquid{{drop.compliance}, reference};
   if (system == System::full_without_pressure)
     set.energies.push_back(std::make_shared<DensityPotential<ElasticBody<CompressibleLiquid>>>(
         "liquid", ElasticBody<CompressibleLiquid>{{1. / drop.compliance}, reference}, in_liquid));

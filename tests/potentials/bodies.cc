@@ -138,8 +138,8 @@ TEST(Bodies, HandWrittenDerivativesAreTheAutomaticOnes)
   compare_with_automatic(ElasticBody<NeoHookeanSolid>{logarithmic, skew_reference()});
   compare_with_automatic(ElasticBody<NeoHookeanSolid>{quadratic, skew_reference()});
   compare_with_automatic(ElasticBody<CompressibleLiquid>{{K}, skew_reference()});
-  compare_with_automatic(IncompressibleLiquid{skew_reference()}, {0.8, 0., 0.});
-  compare_with_automatic(IncompressibleLiquid{skew_reference(), 1. / K}, {0.8, 0., 0.});
+  compare_with_automatic(IncompressibleLiquid{{}, skew_reference()}, {0.8, 0., 0.});
+  compare_with_automatic(IncompressibleLiquid{{1. / K}, skew_reference()}, {0.8, 0., 0.});
   compare_with_automatic(BodyForce{{0.3, -0.5, 0.7}});
 }
 
@@ -205,7 +205,7 @@ TEST(Bodies, TangentsOfLiquids)
   const Matrix3 f = product(dF, inverse(F0)), g = product(DF, inverse(F0));
   const double divs = trace(f) * trace(g), of_volume = divs - trace(product(f, g));
   const double p_given = 0.8, p = K * (1. - J);
-  EXPECT_NEAR(second_variation(IncompressibleLiquid{skew_reference()}, F0, dF, DF, {p_given, 0., 0.}),
+  EXPECT_NEAR(second_variation(IncompressibleLiquid{{}, skew_reference()}, F0, dF, DF, {p_given, 0., 0.}),
               -p_given * J * of_volume, 1e-14);
   EXPECT_NEAR(second_variation(ElasticBody<CompressibleLiquid>{{K}, skew_reference()}, F0, dF, DF),
               J * (K * J * divs - p * of_volume), 1e-14);
@@ -215,7 +215,7 @@ TEST(Bodies, TangentsOfLiquids)
 TEST(Bodies, CompliantLiquidIsTheCompressibleOne)
 {
   const double J = determinant(F0), p = K * (1. - J);
-  const PointSums compliant    = derivatives(IncompressibleLiquid{skew_reference(), 1. / K}, inputs(F0, {p, 0., 0.})),
+  const PointSums compliant    = derivatives(IncompressibleLiquid{{1. / K}, skew_reference()}, inputs(F0, {p, 0., 0.})),
                   compressible = derivatives(ElasticBody<CompressibleLiquid>{{K}, skew_reference()}, inputs(F0));
   EXPECT_NEAR(compliant.gradient[12], 0., 1e-15);
   EXPECT_NEAR(compliant.value[0], compressible.value[0], 1e-14);

@@ -73,6 +73,7 @@ struct EdgeLoop
 {
   std::string name;           ///< "rim", "ring", "tip", "domain boundary"
   bool is_rim         = true; ///< the surface ends here; else it goes on
+  bool is_junction = false; ///< three sheets of the surface meet here, regions of it; the loop is on the first one
   std::size_t n_cells = 0;    ///< one-dimensional ones; a meridian has one, a point
   /** Nodes of edge c along the line: cell_nodes[c * tables.n_nodes + i], nodes of the surface. */
   std::vector<std::size_t> cell_nodes;
@@ -139,6 +140,11 @@ struct SurfaceDiscretization
   std::vector<std::pair<std::size_t, std::size_t>> twins;
 
   std::size_t n_local() const { return tables.n_nodes; }
+  /** Whether more than two sheets meet along a line: then the surface as a whole has no inside. */
+  bool has_junctions() const
+  {
+    return std::any_of(edges.begin(), edges.end(), [](const EdgeLoop &edge) { return edge.is_junction; });
+  }
   bool is_closed() const
   {
     return std::none_of(edges.begin(), edges.end(), [](const EdgeLoop &edge) { return edge.is_rim; });

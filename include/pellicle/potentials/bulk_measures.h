@@ -14,8 +14,8 @@ Number bulk_volume_density(const FieldAtPoint<Number> &x)
 }
 
 /** I1 = tr(F^T F) = G^ab x,a . x,b. */
-template <typename Number>
-Number first_invariant(const FieldAtPoint<Number> &x, const ReferenceBasis &G)
+template <typename Number, typename Reference>
+Number first_invariant(const FieldAtPoint<Number> &x, const BasicReferenceBasis<Reference> &G)
 {
   Number I1 = G.metric(0, 0) * dot(x.slots[1], x.slots[1]);
   for (unsigned int a = 1; a < 3; ++a)

@@ -13,4 +13,6 @@ using EffectLibrary = Registry<Effect>;
 EffectLibrary standard_effects();
 /** Those of drops. */
 EffectLibrary droplet_effects();
+/** Those of drops on soft substrates. */
+EffectLibrary ridge_effects();
 } // namespace pellicle

@@ -5,6 +5,18 @@
 
 namespace pellicle
 {
+namespace
+{
+std::shared_ptr<const Potential> tension_on_cap(const std::string &name, const double tension,
+                                                const DropletTargets &drop)
+{
+  Where where;
+  if (drop.has_base_membrane)
+    where = {Where::Part::region, liquid_gas_region};
+  return std::make_shared<DensityPotential<SurfaceTension>>(name, SurfaceTension{tension}, where);
+}
+} // namespace
+
 const std::string &LiquidSurfaceEffect::name() const
 {
   static const std::string text = "liquid surface";
@@ -13,16 +25,22 @@ const std::string &LiquidSurfaceEffect::name() const
 
 std::string LiquidSurfaceEffect::description() const
 {
-  return "Energy gamma times the area of the liquid-gas surface, gamma = Droplet/Surface tension.";
+  return "Energy gamma times the area of the liquid-gas surface, gamma = Droplet/Surface tension, or Tensions/Liquid "
+         "gas "
+         "on a soft substrate.";
 }
 
 void LiquidSurfaceEffect::contribute(const Scales & /*scales*/, const SceneTargets &targets, PotentialSet &set) const
 {
-  const DropletTargets &drop = targets.drop();
-  Where where;
-  if (drop.has_base_membrane)
-    where = {Where::Part::region, liquid_gas_region};
-  set.energies.push_back(
-      std::make_shared<DensityPotential<SurfaceTension>>(name(), SurfaceTension{drop.surface_tension}, where));
+  set.energies.push_back(tension_on_cap(name(), targets.drop().surface_tension, targets.drop()));
+}
+
+std::vector<ParameterDerivative> LiquidSurfaceEffect::derivatives(const Scales &scales,
+                                                                  const SceneTargets &targets) const
+{
+  if (!targets.substrate)
+    return {};
+  const double slope = targets.substrate->load / scales.of(dimensions::tension);
+  return {{"Tensions/Liquid gas", tension_on_cap(name(), slope, targets.drop()), "", 0.}};
 }
 } // namespace pellicle

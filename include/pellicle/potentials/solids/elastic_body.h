@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <pellicle/base/exceptions.h>
-#include <pellicle/kinematics/automatic_differentiation.h>
 #include <pellicle/potentials/bulk_measures.h>
 #include <pellicle/potentials/density_potential.h>
+#include <pellicle/potentials/solids/body_density.h>
 
 #include <limits>
-#include <memory>
-#include <vector>
 
 namespace pellicle
 {
@@ -26,29 +23,25 @@ namespace pellicle
  * Derivatives by the chain rule over two invariants take a fortieth of the time of automatic ones over twelve inputs.
  */
 template <typename Law>
-struct ElasticBody
+struct ElasticEnergy
 {
   static constexpr std::array<FieldUse, 1> fields{{{"position", Derivatives::bulk, FieldRole::independent}}};
-  static constexpr bool reparametrisation_invariant = false;
 
-  Law law;                                                      ///< moduli in internal units
-  std::shared_ptr<const std::vector<ReferenceBasis>> reference; ///< by PointData::index
+  Law law; ///< moduli in internal units
 
-  template <typename Number>
-  Number density(const PointInputs<Number, 1> &inputs, const PointData &data) const
+  template <typename Number, typename Reference>
+  Number density(const BasicReferenceBasis<Reference> &G, const PointInputs<Number, 1> &inputs) const
   {
-    const ReferenceBasis &G = reference_at(data);
-    const Number J          = bulk_volume_density(inputs[0]) / G.volume;
+    const Number J = bulk_volume_density(inputs[0]) / G.volume;
     if (!(value_of(J) > 0.))
       return Number(std::numeric_limits<double>::quiet_NaN());
     return G.volume * law.energy(first_invariant(inputs[0], G), J);
   }
 
-  void add_derivatives(const PointInputs<double, 1> &inputs, const PointData &data,
+  void add_derivatives(const ReferenceBasis &G, const PointInputs<double, 1> &inputs,
                        const PointDerivativeView &view) const
   {
     const FieldAtPoint<double> &x = inputs[0];
-    const ReferenceBasis &G       = reference_at(data);
     const BulkVolumeDerivatives volume(x);
     using Number   = SecondOrder<2>;
     const Number W = law.energy(seed<Number>(0, first_invariant(x, G)), seed<Number>(1, volume.j / G.volume));
@@ -74,12 +67,9 @@ struct ElasticBody
                              outer(volume.j_x[a], W_j_x));
     }
   }
-
-private:
-  const ReferenceBasis &reference_at(const PointData &data) const
-  {
-    PELLICLE_ASSERT(reference && data.index < reference->size(), "an elastic body needs its reference basis");
-    return (*reference)[data.index];
-  }
 };
+
+/** The same on a given reference: `ElasticBody<Law>{law, reference}`. */
+template <typename Law>
+using ElasticBody = OnGivenReference<ElasticEnergy<Law>>;
 } // namespace pellicle
