@@ -27,6 +27,9 @@ std::vector<EdgeLoop> find_region_boundary(const SurfaceDiscretization &surface,
 /** Length of the line, 2 pi r on a meridian. */
 double loop_length(const EdgeLoop &loop, const NodalVectors &positions);
 
+/** |x,1| at the quadrature points of a line, edge after edge: length per unit of the parameter. */
+std::vector<double> line_elements(const EdgeLoop &loop, const NodalVectors &positions);
+
 /**
  * Outward unit conormals nu = t x n of the surface (the region) on the left of a line, at its quadrature points:
  * result[c * loop.tables.n_points + q] at point q of edge c. Tangent t and normal n are those of the cell on the left,
