@@ -229,6 +229,60 @@ TEST(SolidSkins, TensionsActOnTheirRegions)
   EXPECT_NE(set.energies[0]->where().name, set.energies[1]->where().name);
 }
 
+/** Power of the skins' energy on the wetted part in a uniform dilatation of an area stretched equally by l, divided by
+ * twice that area: the tension in the surface. */
+double tension_of_skin(const SolidSkinsEffect &effect, const SceneTargets &targets, const Scales &scales,
+                       const double l)
+{
+  PotentialSet set;
+  effect.contribute(scales, targets, set);
+  const auto energy = [&](const double stretch)
+  {
+    PotentialSet wetted;
+    for (const auto &term : set.energies)
+      if (term->where().name == solid_liquid_region)
+        wetted.energies.push_back(term);
+    return energy_at(wetted, {0., 0., 0., stretch, 0., 0., 0., stretch, 0.});
+  };
+  const double h = 1e-4;
+  return (energy(l * (1. + h)) - energy(l * (1. - h))) / (2. * h) / (2. * l * l);
+}
+
+// Upsilon = gamma + mu_s (1 - 1/J_s) under equal stretch, in internal units; gamma alone without modulus.
+TEST(SolidSkins, StressDependsOnStrainWithAShearModulus)
+{
+  const Scales scales{2., 3.};
+  SceneTargets targets              = soft_targets(1., 0.3);
+  targets.substrate->skin_reference = std::make_shared<const std::vector<ReferenceMetric>>(1);
+  SolidSkinsEffect effect;
+  EXPECT_FALSE(effect.typical_energy(2.).has_value());
+  EXPECT_NEAR(tension_of_skin(effect, targets, scales, 1.3), 0.3, 1e-7);
+  const double modulus                   = 0.4;
+  effect.parameters.solid_liquid_modulus = modulus * scales.of(dimensions::tension);
+  EXPECT_DOUBLE_EQ(effect.typical_energy(2.).value(), 4. * effect.parameters.solid_liquid_modulus);
+  for (const double l : {0.8, 1., 1.3})
+    EXPECT_NEAR(tension_of_skin(effect, targets, scales, l), 0.3 + modulus * (1. - 1. / (l * l)), 1e-7);
+}
+
+// Nothing of it is assembled without modulus, and the reference is a field only where the line is free.
+TEST(SolidSkins, ReferenceOfTheirElasticPart)
+{
+  SceneTargets targets = soft_targets(1., 0.3);
+  for (const double modulus : {0., 0.4})
+    for (const bool is_free : {false, true})
+    {
+      targets.substrate->line_is_free = is_free;
+      SolidSkinsEffect effect;
+      effect.parameters.solid_gas_modulus = modulus;
+      PotentialSet set;
+      effect.contribute(Scales{}, targets, set);
+      ASSERT_EQ(set.energies.size(), modulus > 0. ? 3u : 2u);
+      const auto &last = *set.energies.back();
+      EXPECT_EQ(last.where().name, solid_gas_region);
+      EXPECT_EQ(last.fields().size(), is_free && modulus > 0. ? 2u : 1u);
+    }
+}
+
 // dE/dp per unit of the parameter as the user gives it: the energy of a parameter of 1, times the load.
 TEST(RidgeEffects, DerivativesByTensionsAndModulus)
 {
