@@ -6,6 +6,7 @@
 #include <pellicle/potentials/solids/body_pressure.h>
 #include <pellicle/potentials/solids/solid_effect.h>
 #include <pellicle/potentials/solids/volume_laws.h>
+#include <pellicle/potentials/wetting/free_contact_line.h>
 #include <pellicle/potentials/wetting/solid_skins.h>
 
 #include <gtest/gtest.h>
@@ -194,6 +195,7 @@ TEST(RidgeEffects, ListedEffectsNeedNoReferenceToBeChecked)
   const EffectLibrary library       = ridge_effects();
   SceneTargets targets              = soft_targets(1., 0.5);
   targets.substrate->bulk_reference = nullptr;
+  targets.substrate->line_is_free   = true;
   targets.edges                     = {{contact_line, EdgeSupport::inner}};
   for (const std::string &name : library.names())
   {
@@ -281,6 +283,36 @@ TEST(SolidSkins, ReferenceOfTheirElasticPart)
       EXPECT_EQ(last.where().name, solid_gas_region);
       EXPECT_EQ(last.fields().size(), is_free && modulus > 0. ? 2u : 1u);
     }
+}
+
+TEST(FreeContactLine, TellsTheSceneItsThresholds)
+{
+  const Scales scales{2., 3.};
+  FreeContactLineEffect effect;
+  ParameterSection section(section_name(effect.name()));
+  effect.bind(section);
+  for (const ParameterSection::Entry &entry : section.entries())
+    EXPECT_EQ(std::string(entry.dimension.text()), "energy/length^2");
+  effect.parameters.advancing_threshold = 0.6;
+  SceneTargets targets                  = soft_targets(1., 0.3);
+  effect.prepare(scales, targets);
+  EXPECT_DOUBLE_EQ(targets.substrate->thresholds.advancing, 0.8); // .6/(3/4)
+  EXPECT_EQ(targets.substrate->thresholds.receding, 0.);
+
+  PotentialSet set;
+  EXPECT_USER_ERROR(effect.contribute(scales, targets, set), "Contact line/Motion");
+  targets.substrate->line_is_free = true;
+  effect.contribute(scales, targets, set);
+  EXPECT_TRUE(set.energies.empty() && set.constraints.empty());
+}
+
+TEST(FreeContactLine, OneDirectionAtLeastMustBePossible)
+{
+  FreeContactLineEffect effect;
+  effect.parameters.advancing_threshold = std::numeric_limits<double>::infinity();
+  EXPECT_NO_THROW(effect.check());
+  effect.parameters.receding_threshold = effect.parameters.advancing_threshold;
+  EXPECT_USER_ERROR(effect.check(), "never move");
 }
 
 // dE/dp per unit of the parameter as the user gives it: the energy of a parameter of 1, times the load.
