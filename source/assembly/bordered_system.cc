@@ -50,13 +50,31 @@ BorderedSystem::BorderedSystem(const SurfaceDiscretization &discretization, Numb
 }
 
 // Of the first fields.
-void BorderedSystem::cell_unknowns(const Cell &cell, const std::size_t n_fields, std::vector<int> &list) const
+void BorderedSystem::cell_unknowns(const Cell &cell, const std::size_t n_fields)
 {
-  list.clear();
+  cell_list.clear();
+  cell_columns.clear();
+  first_cell_column.clear();
+  place_in_list.resize(unknowns.n_nodal, -1);
   for (std::size_t i = 0; i < cell.n_nodes; ++i)
     for (std::size_t f = 0; f < n_fields; ++f)
-      for (unsigned int j = 0; j < unknowns.count(f, cell.nodes[i]); ++j)
-        list.push_back(static_cast<int>(unknowns.first_of(f, cell.nodes[i]) + j));
+    {
+      first_cell_column.push_back(cell_columns.size());
+      unknowns.for_all_columns(f, cell.nodes[i],
+                               [&](const std::size_t unknown, const Vector3<double> &along, const bool mesh_equation)
+                               {
+                                 int &place = place_in_list[unknown];
+                                 if (place < 0)
+                                 {
+                                   place = static_cast<int>(cell_list.size());
+                                   cell_list.push_back(static_cast<int>(unknown));
+                                 }
+                                 cell_columns.push_back({static_cast<std::size_t>(place), along, mesh_equation});
+                               });
+    }
+  first_cell_column.push_back(cell_columns.size());
+  for (const int unknown : cell_list)
+    place_in_list[unknown] = -1;
 }
 
 // Rows of nodal unknowns couple through cells; border rows (and columns, unless the matrix is symmetric) are dense.
@@ -80,12 +98,12 @@ void BorderedSystem::make_pattern()
   };
   for (const Cell &cell : cells)
   {
-    cell_unknowns(cell, unknowns.n_fields(), cell_list);
+    cell_unknowns(cell, unknowns.n_fields());
     couple();
   }
   for (const std::vector<std::size_t> &nodes : couplings)
   {
-    cell_unknowns({0, 0, 0, nodes.data(), nodes.size()}, 1, cell_list);
+    cell_unknowns({0, 0, 0, nodes.data(), nodes.size()}, 1);
     couple();
   }
   sparse.columns.clear();
@@ -119,7 +137,7 @@ void BorderedSystem::make_pattern()
 
   for (const Cell &cell : cells)
   {
-    cell_unknowns(cell, unknowns.n_fields(), cell_list);
+    cell_unknowns(cell, unknowns.n_fields());
     scatter_start.push_back(scatter.size());
     for (const int i : cell_list)
       for (const int j : cell_list)
@@ -161,60 +179,45 @@ void BorderedSystem::begin()
 void BorderedSystem::project(const Cell &cell, const Element &physics, const Element *mesh)
 {
   const std::size_t n_local = cell.n_nodes, n_fields = physics.n_rows / (3 * n_local);
-  const std::size_t *nodes = cell.nodes;
-  const std::size_t m      = cell_list.size();
+  const std::size_t m = cell_list.size();
   projected.assign(m * m, 0.);
-  row_times_Z.resize(3 * m);
+  row_times_Z.resize(m);
+  const auto columns_of = [&](const std::size_t i, const std::size_t f, const auto &visit)
+  {
+    for (std::size_t k = first_cell_column[i * n_fields + f]; k < first_cell_column[i * n_fields + f + 1]; ++k)
+      visit(cell_columns[k]);
+  };
 
-  // First the columns: K Z for one row block of R^3 at a time, then the rows.
+  // First the columns: K Z for one row of R^3 at a time, then the rows.
   const auto fill_rows = [&](const Element &element, const bool mesh_rows, const std::size_t n_element_fields)
   {
-    std::size_t row = 0;
     for (std::size_t i = 0; i < n_local; ++i)
-      for (std::size_t f = 0; f < n_fields; ++f)
+      for (std::size_t f = 0; f < n_element_fields; ++f)
       {
-        const unsigned int n_rows = unknowns.count(f, nodes[i]);
-        if (n_rows == 0)
+        bool wanted = false;
+        columns_of(i, f, [&](const CellColumn &row) { wanted = wanted || row.mesh_equation == mesh_rows; });
+        if (!wanted)
           continue;
-        const NodalChart::Node &row_node = unknowns.charts[f].nodes[nodes[i]];
-        bool wanted                      = false;
-        for (unsigned int a = 0; a < n_rows; ++a)
-          wanted = wanted || row_node.mesh_equation[a] == mesh_rows;
-        if (wanted && f < n_element_fields)
+        for (unsigned int c = 0; c < 3; ++c)
         {
-          for (unsigned int c = 0; c < 3; ++c)
-          {
-            const double *K    = element.matrix.data() + ((3 * f + c) * n_local + i) * element.n_rows;
-            std::size_t column = 0;
-            for (std::size_t j = 0; j < n_local; ++j)
-              for (std::size_t g = 0; g < n_fields; ++g)
-              {
-                const unsigned int n_columns = unknowns.count(g, nodes[j]);
-                if (n_columns == 0)
-                  continue;
-                const NodalChart::Node &column_node = unknowns.charts[g].nodes[nodes[j]];
-                double k[3]                         = {0., 0., 0.};
-                if (g < n_element_fields)
-                  for (unsigned int d = 0; d < 3; ++d)
-                    k[d] = K[(3 * g + d) * n_local + j];
-                for (unsigned int b = 0; b < n_columns; ++b)
-                  row_times_Z[c * m + column + b] = k[0] * column_node.columns[3 * b] +
-                                                    k[1] * column_node.columns[3 * b + 1] +
-                                                    k[2] * column_node.columns[3 * b + 2];
-                column += n_columns;
-              }
-          }
-          for (unsigned int a = 0; a < n_rows; ++a)
-            if (row_node.mesh_equation[a] == mesh_rows)
-              for (unsigned int c = 0; c < 3; ++c)
-              {
-                const double z = row_node.columns[3 * a + c];
-                if (z != 0.)
-                  for (std::size_t j = 0; j < m; ++j)
-                    projected[(row + a) * m + j] += z * row_times_Z[c * m + j];
-              }
+          const double *K = element.matrix.data() + ((3 * f + c) * n_local + i) * element.n_rows;
+          std::fill(row_times_Z.begin(), row_times_Z.end(), 0.);
+          for (std::size_t j = 0; j < n_local; ++j)
+            for (std::size_t g = 0; g < n_element_fields; ++g)
+            {
+              const Vector3<double> k(K[3 * g * n_local + j], K[(3 * g + 1) * n_local + j],
+                                      K[(3 * g + 2) * n_local + j]);
+              columns_of(j, g, [&](const CellColumn &column) { row_times_Z[column.local] += dot(k, column.along); });
+            }
+          columns_of(i, f,
+                     [&](const CellColumn &row)
+                     {
+                       const double z = row.along[c];
+                       if (row.mesh_equation == mesh_rows && z != 0.)
+                         for (std::size_t j = 0; j < m; ++j)
+                           projected[row.local * m + j] += z * row_times_Z[j];
+                     });
         }
-        row += n_rows;
       }
   };
   fill_rows(physics, false, n_fields);
@@ -227,38 +230,40 @@ void BorderedSystem::project(const Cell &cell, const Element &physics, const Ele
 void BorderedSystem::curve(const Cell &cell, const Element &physics, const Element *mesh)
 {
   const std::size_t m = cell_list.size(), n_fields = physics.n_rows / (3 * cell.n_nodes);
-  std::size_t row = 0;
   for (std::size_t i = 0; i < cell.n_nodes; ++i)
     for (std::size_t f = 0; f < n_fields; ++f)
     {
       const unsigned int n_rows = unknowns.count(f, cell.nodes[i]);
-      if (n_rows > 0 && !unknowns.charts[f].unit_vectors.empty())
+      if (n_rows == 0)
+        continue;
+      const NodalChart &chart     = unknowns.charts[f];
+      const CellColumn *const own = cell_columns.data() + first_cell_column[i * n_fields + f];
+      const auto component_along  = [&](const std::vector<double> &gradient, const Vector3<double> &direction)
       {
         double along = 0.;
         for (unsigned int c = 0; c < 3; ++c)
-          along += unknowns.charts[f].unit_vectors[cell.nodes[i]][c] * physics.gradient[(3 * f + c) * cell.n_nodes + i];
-        for (unsigned int a = 0; a < n_rows; ++a)
-          projected[(row + a) * m + row + a] -= along;
-      }
-      if (n_rows > 0 && !unknowns.charts[f].on_body.empty() && unknowns.charts[f].on_body[cell.nodes[i]])
+          along += direction[c] * gradient[(3 * f + c) * cell.n_nodes + i];
+        return along;
+      };
+      if (!chart.unit_vectors.empty())
       {
-        const GapSample &gap         = unknowns.charts[f].on_body[cell.nodes[i]]->here;
-        const NodalChart::Node &node = unknowns.charts[f].nodes[cell.nodes[i]];
-        const auto column            = [&](const unsigned int a)
-        { return Vector3<double>(node.columns[3 * a], node.columns[3 * a + 1], node.columns[3 * a + 2]); };
+        const auto &v      = chart.unit_vectors[cell.nodes[i]];
+        const double along = component_along(physics.gradient, {v[0], v[1], v[2]});
+        for (unsigned int a = 0; a < n_rows; ++a)
+          projected[own[a].local * m + own[a].local] -= along;
+      }
+      if (!chart.on_body.empty() && chart.on_body[cell.nodes[i]])
+      {
+        const GapSample &gap = chart.on_body[cell.nodes[i]]->here;
         for (unsigned int a = 0; a < n_rows; ++a)
         {
-          if (node.mesh_equation[a] && mesh == nullptr)
+          if (own[a].mesh_equation && mesh == nullptr)
             continue;
-          const std::vector<double> &gradient = node.mesh_equation[a] ? mesh->gradient : physics.gradient;
-          double along                        = 0.;
-          for (unsigned int c = 0; c < 3; ++c)
-            along += gap.normal[c] * gradient[(3 * f + c) * cell.n_nodes + i];
+          const double along = component_along(own[a].mesh_equation ? mesh->gradient : physics.gradient, gap.normal);
           for (unsigned int b = 0; b < n_rows; ++b)
-            projected[(row + a) * m + row + b] -= along * dot(column(a), gap.hessian * column(b));
+            projected[own[a].local * m + own[b].local] -= along * dot(own[a].along, gap.hessian * own[b].along);
         }
       }
-      row += n_rows;
     }
 }
 
@@ -266,7 +271,7 @@ void BorderedSystem::add_cell(const Cell &cell, const Element &physics,
                               const std::vector<std::vector<double>> &constraint_gradients, const Element *mesh)
 {
   add_cell_residual(cell, physics, constraint_gradients, mesh);
-  cell_unknowns(cell, unknowns.n_fields(), cell_list);
+  cell_unknowns(cell, unknowns.n_fields());
   const std::size_t m = cell_list.size();
   project(cell, physics, mesh);
   curve(cell, physics, mesh);
@@ -285,34 +290,35 @@ void BorderedSystem::add_cell_residual(const Cell &cell, const Element &physics,
   const std::size_t n_constraints = std::min(unknowns.n_constraints, constraint_gradients.size());
   for (std::size_t i = 0; i < cell.n_nodes; ++i)
     for (std::size_t f = 0; f < n_fields; ++f)
-      for (unsigned int a = 0; a < unknowns.count(f, cell.nodes[i]); ++a)
+    {
+      const auto add = [&](const std::size_t unknown, const Vector3<double> &column, const bool mesh_equation)
       {
-        const NodalChart::Node &node = unknowns.charts[f].nodes[cell.nodes[i]];
-        const std::size_t unknown    = unknowns.first_of(f, cell.nodes[i]) + a;
-        const auto along_z           = [&](const std::vector<double> &gradient)
+        const auto along_column = [&](const std::vector<double> &gradient)
         {
           double sum = 0.;
           for (unsigned int c = 0; c < 3; ++c)
-            sum += node.columns[3 * a + c] * gradient[(3 * f + c) * cell.n_nodes + i];
+            sum += column[c] * gradient[(3 * f + c) * cell.n_nodes + i];
           return sum;
         };
-        if (!node.mesh_equation[a] || mesh != nullptr)
+        if (!mesh_equation || mesh != nullptr)
         {
-          const double r = along_z(node.mesh_equation[a] ? mesh->gradient : physics.gradient);
+          const double r = along_column(mesh_equation ? mesh->gradient : physics.gradient);
           right[unknown] += r;
           contributions[unknown] += std::abs(r);
         }
         for (std::size_t k = 0; k < n_constraints; ++k)
           if (!constraint_gradients[k].empty())
-            constraint_rows[k][unknown] += along_z(constraint_gradients[k]);
-      }
+            constraint_rows[k][unknown] += along_column(constraint_gradients[k]);
+      };
+      unknowns.for_all_columns(f, cell.nodes[i], add);
+    }
 }
 
 void BorderedSystem::add_pair(const ContactElement &element)
 {
   const Cell cell{0, 0, 0, element.nodes.data(), element.nodes.size()};
   add_cell_residual(cell, element.derivatives, {}, nullptr);
-  cell_unknowns(cell, 1, cell_list);
+  cell_unknowns(cell, 1);
   project(cell, element.derivatives, nullptr);
   curve(cell, element.derivatives, nullptr);
   const std::size_t m = cell_list.size();
@@ -403,25 +409,24 @@ void BorderedSystem::restrict_vector(const std::size_t field, const NodalVectors
                                      std::vector<double> &result) const
 {
   for (std::size_t I = 0; I < unknowns.charts[field].nodes.size(); ++I)
-    for (unsigned int a = 0; a < unknowns.count(field, I); ++a)
-    {
-      double sum = 0.;
-      for (unsigned int c = 0; c < 3; ++c)
-        sum += unknowns.charts[field].nodes[I].columns[3 * a + c] * vector[3 * I + c];
-      result[unknowns.first_of(field, I) + a] += sum;
-    }
+    unknowns.for_all_columns(field, I,
+                             [&](const std::size_t unknown, const Vector3<double> &column, const bool)
+                             {
+                               for (unsigned int c = 0; c < 3; ++c)
+                                 result[unknown] += column[c] * vector[3 * I + c];
+                             });
 }
 
 void BorderedSystem::add_columns(const std::vector<double> &u, const double factor, const std::size_t field,
                                  NodalVectors &values) const
 {
   for (std::size_t I = 0; I < unknowns.charts[field].nodes.size(); ++I)
-    for (unsigned int a = 0; a < unknowns.count(field, I); ++a)
-    {
-      const double step = factor * u[unknowns.first_of(field, I) + a];
-      for (unsigned int c = 0; c < 3; ++c)
-        values[3 * I + c] += step * unknowns.charts[field].nodes[I].columns[3 * a + c];
-    }
+    unknowns.for_all_columns(field, I,
+                             [&](const std::size_t unknown, const Vector3<double> &column, const bool)
+                             {
+                               for (unsigned int c = 0; c < 3; ++c)
+                                 values[3 * I + c] += factor * u[unknown] * column[c];
+                             });
 }
 
 void BorderedSystem::prolongate(const std::vector<double> &u, const double factor, const std::size_t field,

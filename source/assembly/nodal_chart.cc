@@ -72,6 +72,13 @@ void free_nodes(const SurfaceDiscretization &discretization, const std::vector<b
     }
 }
 
+NodalChart held_chart(const SurfaceDiscretization &discretization)
+{
+  NodalChart chart;
+  chart.nodes.resize(discretization.n_nodes);
+  return chart;
+}
+
 NodalChart free_chart(const SurfaceDiscretization &discretization)
 {
   NodalChart chart;

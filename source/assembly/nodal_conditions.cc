@@ -90,7 +90,8 @@ void apply_conditions(const NodalConditions &conditions, const std::string &fiel
     }
   for (std::size_t I = 0; I < these.leader.size(); ++I)
   {
-    chart.nodes[I] = chart.nodes[these.leader[I]];
+    if (I >= these.only.size() || !these.only[I])
+      chart.nodes[I] = chart.nodes[these.leader[I]];
     if (!chart.unit_vectors.empty())
       chart.unit_vectors[I] = chart.unit_vectors[these.leader[I]];
   }

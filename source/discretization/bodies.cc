@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "body_degree.h"
 #include "graded_line.h"
 
 #include <pellicle/base/exact_text.h>
@@ -38,13 +39,6 @@ struct Line
     nodes.push_back(ends.back());
   }
 };
-
-void check_degree(const unsigned int degree, const unsigned int highest)
-{
-  if (degree < 1 || degree > highest)
-    throw UserError("Degree = " + std::to_string(degree) + ": the cells of such a body have a degree from 1 to " +
-                    std::to_string(highest) + ".");
-}
 
 /** Numbers of the nodes of a grid of n[0] x n[1] x n[2], the first coordinate fastest. */
 struct Grid
@@ -87,7 +81,7 @@ std::vector<double> cell_ends(const double from, const double to, const unsigned
 
 SurfaceDiscretization block(const std::string &name, const BlockShape &shape, const unsigned int degree)
 {
-  check_degree(degree, highest_hexahedral_degree);
+  check_body_degree(degree, highest_hexahedral_degree);
   const Line x("x", shape.x, degree), y("y", shape.y, degree), z("z", shape.z, degree);
   const Grid grid{{{x.nodes.size(), y.nodes.size(), z.nodes.size()}}};
 
@@ -132,7 +126,7 @@ SurfaceDiscretization block(const std::string &name, const BlockShape &shape, co
 
 SurfaceDiscretization cylinder(const std::string &name, const CylinderShape &shape, const unsigned int degree)
 {
-  check_degree(degree, highest_degree);
+  check_body_degree(degree, highest_degree);
   const Line r("r", shape.r, degree), z("z", shape.z, degree);
   if (r.nodes.front() < 0.)
     throw UserError("A cylinder about z begins at r >= 0, not at r = " + exact_text(r.nodes.front()) + ".");
@@ -186,22 +180,42 @@ SurfaceDiscretization cylinder(const std::string &name, const CylinderShape &sha
 void keep_on_plane(SurfaceDiscretization &discretization, const std::vector<std::size_t> &nodes,
                    const Vector3<double> &normal)
 {
-  discretization.admissible.resize(discretization.n_nodes);
   for (const std::size_t node : nodes)
+    keep_on_plane(discretization, node, normal);
+}
+
+// Columns that are orthogonal to the normal stay as they are; of the others their parts along the plane do.
+void keep_on_plane(SurfaceDiscretization &discretization, const std::size_t node, const Vector3<double> &normal)
+{
+  constexpr double smallest = 1e-12;
+  discretization.admissible.resize(discretization.n_nodes);
+  AdmissibleDirections &directions = discretization.admissible[node];
+  AdmissibleDirections kept;
+  kept.count   = 0;
+  kept.columns = {};
+  std::vector<Vector3<double>> others;
+  const auto append = [&](const Vector3<double> &e) { kept.columns[kept.count++] = {{e[0], e[1], e[2]}}; };
+  for (unsigned int j = 0; j < directions.count; ++j)
   {
-    AdmissibleDirections &directions = discretization.admissible[node];
-    AdmissibleDirections kept;
-    kept.count   = 0;
-    kept.columns = {};
-    for (unsigned int j = 0; j < directions.count; ++j)
-    {
-      const auto &e      = directions.columns[j];
-      const double along = e[0] * normal[0] + e[1] * normal[1] + e[2] * normal[2];
-      PELLICLE_ASSERT(along == 0. || std::abs(along) == 1., "planes of symmetry are normal to the axes");
-      if (along == 0.)
-        kept.columns[kept.count++] = e;
-    }
-    directions = kept;
+    const auto &column = directions.columns[j];
+    const Vector3<double> e(column[0], column[1], column[2]);
+    if (std::abs(dot(e, normal)) < smallest)
+      append(e);
+    else
+      others.push_back(e);
   }
+  for (Vector3<double> e : others)
+  {
+    e -= dot(e, normal) * normal;
+    for (unsigned int j = 0; j < kept.count; ++j)
+    {
+      const auto &column = kept.columns[j];
+      const Vector3<double> before(column[0], column[1], column[2]);
+      e -= dot(e, before) * before;
+    }
+    if (norm(e) > smallest)
+      append((1. / norm(e)) * e);
+  }
+  directions = kept;
 }
 } // namespace pellicle

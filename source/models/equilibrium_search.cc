@@ -91,6 +91,8 @@ bool EquilibriumSearch::in_charts(const std::string &charts)
     return iterate(PositionChart::graph, newton.max_iterations);
   if (charts == "ale")
     return iterate(PositionChart::ale, newton.max_iterations);
+  if (charts == "automatic" && problem.discretization().has_junctions())
+    return iterate(PositionChart::graph, newton.max_iterations);
   if (charts == "automatic")
   {
     if (problem.needs_material_chart())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/body_nodes.h>
+#include <pellicle/assembly/carried_nodes.h>
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/assembly/rim_directions.h>
 #include <pellicle/base/exceptions.h>
@@ -81,15 +82,16 @@ std::vector<ReferenceMetric> reference_metric(const SurfaceDiscretization &discr
   return metric;
 }
 
-// Positions of the start shape, its conormals on the edges that have them as unknowns, zero for the rest.
+// Positions of the start shape, which are the places of material points as well, its conormals on the edges that have
+// them as unknowns, zero for the rest.
 FieldValues start_fields(const SurfaceDiscretization &discretization, const FieldLayout &layout,
                          const NodalConditions &conditions)
 {
   FieldValues fields;
   for (const Field &field : layout.fields())
   {
-    fields.push_back(field.name == "position" ? discretization.positions
-                                              : NodalVectors(3 * discretization.n_nodes, 0.));
+    const bool is_place = field.name == "position" || field.space == FieldSpace::material_places;
+    fields.push_back(is_place ? discretization.positions : NodalVectors(3 * discretization.n_nodes, 0.));
     if (field.space != FieldSpace::edge_conormals)
       continue;
     const auto &only           = conditions.at(field.name).only;
@@ -168,7 +170,9 @@ void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors
   // Reactions of another chart balance other forces.
   if (chart != new_chart || current.rigid_reactions.size() != n_rigid())
     current.rigid_reactions.assign(n_rigid(), 0.);
-  chart               = new_chart;
+  chart = new_chart;
+  if (chart == PositionChart::graph && surface.has_junctions())
+    find_sheet_carriers();
   const bool all_free = std::find(material.begin(), material.end(), false) == material.end();
   if (chart != PositionChart::material && !all_free && needs_material_chart())
     throw UserError("Newton/Chart = ale and graph keep the nodes from following tangential forces, but a listed effect "
@@ -187,6 +191,20 @@ void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors
   renew_gauge();
 }
 
+// Sheets follow the lines where they meet others, and bodies.
+void SurfaceProblem::find_sheet_carriers()
+{
+  std::vector<bool> own = material, is_held(surface.n_nodes, false);
+  for (const EdgeLoop &loop : surface.edges)
+    if (loop.is_junction)
+      for (const std::size_t node : loop.cell_nodes)
+        own[node] = true;
+  if (const auto of_position = conditions.find("position"); of_position != conditions.end())
+    for (std::size_t I = 0; I < of_position->second.only.size(); ++I)
+      is_held[I] = of_position->second.only[I] && of_position->second.only[I]->count == 0;
+  sheet_carriers = carriers_of_sheets(surface, surface.positions, own, is_held);
+}
+
 std::vector<NodalChart> SurfaceProblem::charts_here() const
 {
   const NodalVectors normals = chart == PositionChart::material ? NodalVectors{} : transversal_directions();
@@ -203,6 +221,8 @@ std::vector<NodalChart> SurfaceProblem::charts_here() const
                      : chart == PositionChart::graph  ? graph_chart(surface, current.fields[0], normals)
                                                       : ale_chart(surface, current.fields[0], normals));
     free_nodes(surface, material, charts.back());
+    if (chart == PositionChart::graph)
+      charts.back().carriers = sheet_carriers;
     apply_conditions(conditions, field.name, charts.back());
     keep_nodes_on_bodies(charts.back());
   }

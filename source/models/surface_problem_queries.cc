@@ -121,8 +121,24 @@ double SurfaceProblem::displacement(const std::vector<double> &direction) const
 
 std::vector<double> SurfaceProblem::direction_of(const NodalVectors &displacements) const
 {
+  // Its own columns, which are orthonormal, account for what carriers do not.
+  NodalVectors own                                              = displacements;
+  const std::vector<std::vector<NodalChart::Carrier>> &carriers = system->numbering().charts[0].carriers;
+  for (std::size_t I = 0; I < carriers.size(); ++I)
+    for (const NodalChart::Carrier &carrier : carriers[I])
+      for (unsigned int c = 0; c < 3; ++c)
+        own[3 * I + c] -= carrier.share[c] * displacements[3 * carrier.node + c];
   std::vector<double> direction(system->numbering().size(), 0.);
-  system->restrict_vector(0, displacements, direction); // the columns of a node are orthonormal
+  for (std::size_t I = 0; I < surface.n_nodes; ++I)
+  {
+    const NodalChart::Node &node = system->numbering().charts[0].nodes[I];
+    for (unsigned int a = 0; a < node.count; ++a)
+    {
+      double &along = direction[system->numbering().first_of(0, I) + a];
+      for (unsigned int c = 0; c < 3; ++c)
+        along += node.columns[3 * a + c] * own[3 * I + c];
+    }
+  }
   return direction;
 }
 

@@ -111,8 +111,8 @@ void Progress::on_step(const StepReport &report)
   if (verbosity == Verbosity::quiet)
     return;
   std::string line = formatted("step %d: ", report.step);
-  if (!report.stepped_parameter.empty())
-    line += report.stepped_parameter + formatted(" = %.6g, ", report.stepped_value);
+  for (const auto &[name, value] : report.stepped)
+    line += name + formatted(" = %.6g, ", value);
   line += formatted("%d %s, ", report.iterations, report.iterations == 1 ? "iteration" : "iterations");
   write(line + time_text());
 }

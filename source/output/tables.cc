@@ -120,8 +120,8 @@ void GrowingTable::append(Row row)
 GrowingTable::Row history_row(const StepReport &report)
 {
   GrowingTable::Row row = {{"step", std::to_string(report.step)}};
-  if (!report.stepped_parameter.empty())
-    row.emplace_back(report.stepped_parameter, number_text(report.stepped_value));
+  for (const auto &[name, value] : report.stepped)
+    row.emplace_back(name, number_text(value));
   for (const auto &[name, value] : report.quantities)
     row.emplace_back(name, number_text(value));
   return row;

@@ -16,9 +16,10 @@ void LoadParameters::bind(ParameterSection &section)
   section.word("To", to, "Its value at the last solve. Empty: the scene's own value of the parameter.");
   section.integer(
       "Steps", steps, 1, 100000,
-      "Number of equal steps to begin with. A step that fails is halved; after a success the next one may grow.");
+      "Number of equal steps to begin with, of the parameter and of each stage of a scene that has a load path of its "
+      "own. A step that fails is halved; after a success the next one may grow.");
   section.number("Smallest step", smallest_step, Range::between(1e-12, 1.), dimensions::none,
-                 "Smallest step, as a fraction of the whole way, before the run gives up.");
+                 "Smallest step, as a fraction of the whole way (of a stage), before the run gives up.");
 }
 
 double walk_load(const LoadParameters &parameters, const std::function<bool(double t)> &attempt)

@@ -102,17 +102,16 @@ TEST(RunFiles, WriteOneWholeLineAReport)
             "2,3,1.5e-11,0.25,100.5,1,0.125\n");
 
   StepReport step;
-  step.step              = 1;
-  step.stepped_parameter = "Tether/Length, \"total\"";
-  step.stepped_value     = 0.5;
-  step.quantities        = {{"area", 12.5}, {"force", std::nan("")}};
+  step.step       = 1;
+  step.stepped    = {{"load", 2.}, {"Tether/Length, \"total\"", 0.5}};
+  step.quantities = {{"area", 12.5}, {"force", std::nan("")}};
   list.on_step(step);
   step.step       = 2;
   step.quantities = {{"force", 3.}, {"area", 13.}};
   list.on_step(step);
-  EXPECT_EQ(content_of(directory.path() / "history.csv"), "step,\"Tether/Length, \"\"total\"\"\",area,force\n"
-                                                          "1,0.5,12.5,nan\n"
-                                                          "2,0.5,13,3\n");
+  EXPECT_EQ(content_of(directory.path() / "history.csv"), "step,load,\"Tether/Length, \"\"total\"\"\",area,force\n"
+                                                          "1,2,0.5,12.5,nan\n"
+                                                          "2,2,0.5,13,3\n");
 }
 
 TEST(RunFiles, LateQuantityGetsAColumn)

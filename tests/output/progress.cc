@@ -12,11 +12,10 @@ namespace
 StepReport half_way()
 {
   StepReport report;
-  report.step              = 3;
-  report.fraction_done     = 0.25;
-  report.stepped_parameter = "Vesicle/Reduced volume";
-  report.stepped_value     = 0.9;
-  report.iterations        = 5;
+  report.step          = 3;
+  report.fraction_done = 0.25;
+  report.stepped       = {{"Vesicle/Reduced volume", 0.9}};
+  report.iterations    = 5;
   return report;
 }
 

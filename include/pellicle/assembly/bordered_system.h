@@ -42,6 +42,30 @@ struct Numbering
   {
     return charts[field].nodes.empty() ? 0 : charts[field].nodes[node].count;
   }
+  /** Calls visit(unknown, column, is_mesh_equation) for each unknown of a field that moves a node: the node's own, then
+   * those of its carriers. */
+  template <typename Visit>
+  void for_all_columns(const std::size_t field, const std::size_t node, const Visit &visit) const
+  {
+    const NodalChart &chart = charts[field];
+    if (chart.nodes.empty())
+      return;
+    const NodalChart::Node &own = chart.nodes[node];
+    for (unsigned int a = 0; a < own.count; ++a)
+      visit(first_of(field, node) + a,
+            Vector3<double>(own.columns[3 * a], own.columns[3 * a + 1], own.columns[3 * a + 2]), own.mesh_equation[a]);
+    if (chart.carriers.empty())
+      return;
+    for (const NodalChart::Carrier &carrier : chart.carriers[node])
+    {
+      const NodalChart::Node &other = chart.nodes[carrier.node];
+      for (unsigned int a = 0; a < other.count; ++a)
+        visit(first_of(field, carrier.node) + a,
+              Vector3<double>(carrier.share[0] * other.columns[3 * a], carrier.share[1] * other.columns[3 * a + 1],
+                              carrier.share[2] * other.columns[3 * a + 2]),
+              other.mesh_equation[a]);
+    }
+  }
 };
 
 /**
@@ -112,9 +136,16 @@ private:
   void make_pattern();
   int place_of(int row, int column) const;
   void write_border(std::size_t row, const std::vector<double> &values);
+  /** A column of the cell's Z: how an unknown of the list moves a node. */
+  struct CellColumn
+  {
+    std::size_t local = 0; ///< place of the unknown in cell_list
+    Vector3<double> along;
+    bool mesh_equation = false;
+  };
   void project(const Cell &cell, const Element &physics, const Element *mesh);
   void curve(const Cell &cell, const Element &physics, const Element *mesh);
-  void cell_unknowns(const Cell &cell, std::size_t n_fields, std::vector<int> &list) const;
+  void cell_unknowns(const Cell &cell, std::size_t n_fields);
 
   const SurfaceDiscretization &discretization;
   const Communicator &communicator;
@@ -128,7 +159,10 @@ private:
   std::vector<int> scatter;                     ///< positions in sparse.values; -1: not stored (upper triangle)
   std::vector<int> diagonal;                    ///< position of each diagonal entry
   std::set<std::vector<std::size_t>> couplings; ///< nodes of elements for which there is room
-  std::vector<int> cell_list;
+  std::vector<int> cell_list;                   ///< unknowns of one cell, each once
+  std::vector<CellColumn> cell_columns;         ///< its Z, node after node, field after field
+  std::vector<std::size_t> first_cell_column;   ///< [i * n_fields + f]
+  std::vector<int> place_in_list;               ///< of each unknown; -1: not in it
   std::vector<double> projected, row_times_Z;
 };
 } // namespace pellicle

@@ -28,9 +28,21 @@ struct NodalChart
     std::array<bool, 3> mesh_equation{}; ///< by column
   };
   std::vector<Node> nodes;
-  /** Nodes that move as another one does (a rigid ring, two sides of a line): leader[I], or I itself. Empty: none. Both
-   * have the same columns. */
+  /** Nodes that have the unknowns of another one (a rigid ring, two sides of a line): leader[I], or I itself. Empty:
+   * none. Both have as many columns; where these differ, for example in length, the follower moves along its own. */
   std::vector<std::size_t> leader;
+
+  /** A node whose displacement others share, component by component. */
+  struct Carrier
+  {
+    std::size_t node = 0;
+    std::array<double, 3> share{};
+  };
+  /**
+   * Nodes that are carried along by others, beside their own unknowns: displacement of I = sum_j column_Ij u_Ij + sum
+   * over carriers J of share_JI * (displacement of J). Carriers are not carried themselves. Empty: none are.
+   */
+  std::vector<std::vector<Carrier>> carriers;
 
   /**
    * Of a field of unit vectors: its values at the nodes, at which the columns are tangential to the unit sphere. A step
@@ -65,6 +77,9 @@ enum class TangentialMotion
   mesh,
   physical
 };
+
+/** No unknowns at all; conditions may give some nodes their own (places of material points). */
+NodalChart held_chart(const SurfaceDiscretization &discretization);
 
 /** Every admissible direction of a node is an unknown (the moment). */
 NodalChart free_chart(const SurfaceDiscretization &discretization);

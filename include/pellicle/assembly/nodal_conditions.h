@@ -16,7 +16,7 @@ struct FieldConditions
 {
   /** For a node: the only directions in which it may change, with physical equations (count 0: held). */
   std::vector<std::optional<AdmissibleDirections>> only;
-  /** Nodes that move as another one does: see NodalChart::leader. */
+  /** Nodes that move as another one does, or with its unknowns along their own columns: see NodalChart::leader. */
   std::vector<std::size_t> leader;
   /** Bodies on which nodes stay (null: none): see NodalChart::on_body. */
   std::vector<std::shared_ptr<const RigidBody>> body;

@@ -23,10 +23,10 @@ struct IterationReport
 struct StepReport
 {
   int step             = 0;
-  double fraction_done = 1.;     ///< of the whole run, for the estimate of the time left
-  std::string stepped_parameter; ///< empty without load stepping
-  double stepped_value = 0.;
-  int iterations       = 0;
+  double fraction_done = 1.; ///< of the whole run, for the estimate of the time left
+  /** What load stepping has changed and where it stands: "load" of a scene's own load path, a parameter. */
+  std::vector<std::pair<std::string, double>> stepped;
+  int iterations = 0;
   std::vector<std::pair<std::string, double>> quantities; ///< name, value in the user's units
 };
 

@@ -42,8 +42,9 @@ struct CylinderShape
  */
 SurfaceDiscretization cylinder(const std::string &name, const CylinderShape &shape, unsigned int degree);
 
-/** Takes `normal` from the directions in which these nodes may move: a plane of symmetry. The unit vector `normal` is
- * along an axis. */
+/** Takes the unit vector `normal` from the directions in which a node may move: a plane of symmetry, a wall along which
+ * it slides. */
+void keep_on_plane(SurfaceDiscretization &discretization, std::size_t node, const Vector3<double> &normal);
 void keep_on_plane(SurfaceDiscretization &discretization, const std::vector<std::size_t> &nodes,
                    const Vector3<double> &normal);
 

@@ -30,7 +30,7 @@ struct SurfaceState
  * freely in each of them. */
 enum class PositionChart
 {
-  graph,   ///< displacement along the nodal normals
+  graph,   ///< displacement along the nodal normals; sheets that meet at junctions follow these besides
   ale,     ///< all components, mesh equations for the tangential ones
   material ///< all components, all of them physical: potentials that act tangentially
 };
@@ -154,11 +154,13 @@ private:
   NodalVectors transversal_directions() const;
   void keep_nodes_on_bodies(NodalChart &positions) const;
   void find_material_nodes();
+  void find_sheet_carriers();
   std::size_t n_rigid() const { return rigid_gauge ? surface.rigid_motions.size() : 0; }
   void renew_gauge();
 
   std::shared_ptr<PairTerms> pair_terms;
-  std::vector<bool> material; ///< nodes that are free in every chart
+  std::vector<bool> material;                                   ///< nodes that are free in every chart
+  std::vector<std::vector<NodalChart::Carrier>> sheet_carriers; ///< in the graph chart of a surface with junctions
 
   PositionChart chart   = PositionChart::graph;
   bool renews_chart     = true;

@@ -57,6 +57,16 @@ struct OutputParameters
   void bind(ParameterSection &section);
 };
 
+/**
+ * A stage of the load path that a scene has of its own: a number of the scene, such as a weight, goes from 0 to the
+ * value that the scene gives it.
+ */
+struct LoadStage
+{
+  std::string name;      ///< for the user, of what goes on: "gravity"
+  std::string parameter; ///< "Section/Name"
+};
+
 /** Random displacements of the nodes of a start shape, in fractions of their spacing. */
 struct NodeNoise
 {
@@ -111,6 +121,9 @@ public:
   Scales scales() const;
   /** Mesh and start shape, in the user's units. Throws UserError for one that cannot be made. */
   virtual SurfaceDiscretization start_mesh() const = 0;
+  /** What has to be applied in turn, since the start shape is too far from equilibrium under the whole load; without a
+   * load before the first of them nothing need be solvable. None: the scene is solved at once. */
+  virtual std::vector<LoadStage> load_stages() const { return {}; }
   /** Whether the place of the origin means something: a body or a field of force stands there. Otherwise the model
    * moves the centroid there. */
   virtual bool has_origin() const { return false; }
@@ -146,6 +159,8 @@ public:
   /** Empty: there are none. */
   virtual Surroundings surroundings() const { return {}; }
 
+  /** What effects take from the undeformed mesh, at its quadrature points; internal units. */
+  virtual void add_references(const SurfaceDiscretization & /*start*/, SceneTargets & /*targets*/) const {}
   /** What effects take from the scene and from each other; what only a mesh knows is left out. */
   SceneTargets targets(const Scales &scales) const;
   /** Energies and constraints in internal units. */

@@ -76,6 +76,6 @@ private:
   std::vector<Row> rows;
 };
 
-/** Row of `history.csv`: step, the stepped parameter under its name (if a parameter is stepped), the quantities. */
+/** Row of `history.csv`: step, what load stepping has changed, each under its name, the quantities. */
 GrowingTable::Row history_row(const StepReport &report);
 } // namespace pellicle

@@ -8,7 +8,8 @@
 
 namespace pellicle
 {
-/** Section "Load": a parameter of the scene that is changed in steps. */
+/** Section "Load": a parameter of the scene that is changed in steps; steps of the stages of a scene's own load path.
+ */
 struct LoadParameters
 {
   std::string parameter; ///< "Section/Name"; empty: no load stepping

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/edge_frames.h>
+#include <pellicle/base/constants.h>
+#include <pellicle/discretization/point_walk.h>
+#include <pellicle/models/largest_value.h>
+#include <pellicle/models/ridge_measures.h>
+#include <pellicle/models/sheet_tangents.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace pellicle
+{
+namespace
+{
+constexpr double degree = pi / 180.;
+constexpr Dimension force_dimension{1, -1};
+
+/** Mean over the line, smallest and largest of what its nodes have. */
+struct AlongLine
+{
+  double sum = 0., length = 0.;
+  double smallest = std::numeric_limits<double>::infinity(), largest = -std::numeric_limits<double>::infinity();
+
+  void add(const double value, const double weight)
+  {
+    sum += weight * value;
+    length += weight;
+    smallest = std::min(smallest, value);
+    largest  = std::max(largest, value);
+  }
+  double mean() const { return sum / length; }
+};
+
+/** Lengths of the nodes of a line: integral of N_I ds. */
+std::map<std::size_t, double> nodal_lengths(const EdgeLoop &line, const NodalVectors &positions)
+{
+  std::map<std::size_t, double> lengths;
+  for_all_points(line.tables, line.cell_nodes, positions, 2,
+                 [&](const WalkPoint &x)
+                 {
+                   for (unsigned int I = 0; I < line.tables.n_nodes; ++I)
+                     lengths[x.nodes[I]] +=
+                         x.weight * norm(x[1]) * line.tables.tables[0][std::size_t(x.q) * line.tables.n_nodes + I];
+                 });
+  return lengths;
+}
+
+/** Polar angle of a tangent in the plane across the line, from the horizontal direction away from the drop towards z;
+ * in [0, 2 pi). */
+double polar_angle(const Vector3<double> &tangent, const Vector3<double> &outwards)
+{
+  const double angle = std::atan2(tangent[2], dot(tangent, outwards));
+  return angle < 0. ? angle + 2. * pi : angle;
+}
+
+double wrapped(const double angle)
+{
+  return angle < 0. ? angle + 2. * pi : angle;
+}
+
+/** Sum of the forces with which the held faces of the substrate are held. */
+Vector3<double> reaction(const SurfaceModel &model)
+{
+  const SurfaceDiscretization &mesh = model.mesh();
+  const NodalVectors forces         = model.equilibrium().nodal_forces().total;
+  std::set<std::size_t> held;
+  for (const char *face : {"bottom", "side"})
+  {
+    const auto &nodes = mesh.bulks.front().faces.at(face);
+    held.insert(nodes.begin(), nodes.end());
+  }
+  Vector3<double> sum;
+  for (const std::size_t node : held)
+    sum += vector_at(forces, node);
+  // On a meridian and with a mirror plane the forces across it belong to its other side.
+  if (mesh.kind == SurfaceDiscretization::Kind::meridian)
+    return {0., 0., sum[2]};
+  return sum;
+}
+
+struct Regions
+{
+  std::array<double, 3> area{};
+  double volume = 0.;
+};
+
+Regions measure_regions(const SurfaceDiscretization &surface, const NodalVectors &positions)
+{
+  Regions regions;
+  for_all_cells(surface.tables, surface.cell_nodes, positions, 3,
+                [&](const WalkCell &cell)
+                {
+                  const unsigned int region = surface.cell_region[cell.number];
+                  for (unsigned int q = 0; q < surface.tables.n_points; ++q)
+                  {
+                    const Vector3<double> dA = cell[q].weight * cross(cell[q][1], cell[q][2]);
+                    regions.area[region] += norm(dA);
+                    if (region < 2)
+                      regions.volume += dot(cell[q][0], dA) / 3.;
+                  }
+                });
+  return regions;
+}
+} // namespace
+
+std::vector<NamedQuantity> measure_ridge(const SurfaceModel &model)
+{
+  const SurfaceDiscretization &surface = model.mesh();
+  const SurfaceProblem &problem        = model.equilibrium();
+  const NodalVectors positions         = model.positions();
+  const DropletTargets &drop           = model.scene_targets().drop();
+  const EdgeLoop &line                 = surface.edges.front();
+
+  std::vector<NamedQuantity> list;
+  const auto report = [&](const std::string &name, const double value, const Dimension dimension) {
+    list.push_back({name, value, dimension});
+  };
+  const Regions regions = measure_regions(surface, positions);
+  report("volume", regions.volume, dimensions::volume);
+  report("apex_height",
+         largest_value(CellGeometry(surface, positions), {{0., 0., 1.}, Vector3<double>(), Vector3<double>()}),
+         dimensions::length);
+  report("liquid_gas_area", regions.area[0], dimensions::area);
+  report("solid_liquid_area", regions.area[1], dimensions::area);
+  report("solid_gas_area", regions.area[2], dimensions::area);
+  report("liquid_weight", model.has_energy("gravity") ? norm(drop.body_force) * regions.volume : 0., force_dimension);
+
+  const auto &fields = problem.layout();
+  const NodalVectors &material =
+      fields.has("material position") ? problem.state().fields[fields.index("material position")] : surface.positions;
+  PotentialSet solid;
+  for (const auto &energy : problem.potentials().energies)
+    if (energy->name() == "solid")
+      solid.energies.push_back(energy);
+  const NodalVectors of_solid = problem.nodal_forces(solid);
+
+  const auto lengths = nodal_lengths(line, positions);
+  std::array<std::map<std::size_t, Vector3<double>>, 3> tangents;
+  for (unsigned int region = 0; region < 3; ++region)
+    tangents[region] = sheet_tangents(surface, positions, line, region);
+  const auto along_line = nodal_line_tangents(surface, positions);
+  AlongLine height, radius, material_radius, apparent, liquid, gas, imbalance;
+  for (const auto &[node, length] : lengths)
+  {
+    const Vector3<double> x = vector_at(positions, node), X = vector_at(material, node), &t = along_line.at(node);
+    const Vector3<double> across   = cross(t, {0., 0., 1.}); // the line runs with the drop on its left
+    const Vector3<double> outwards = (1. / norm(across)) * across;
+    std::array<double, 3> angle{};
+    for (unsigned int region = 0; region < 3; ++region)
+      angle[region] = polar_angle(tangents[region].at(node), outwards);
+    height.add(x[2], length);
+    radius.add(std::hypot(x[0], x[1]), length);
+    material_radius.add(std::hypot(X[0], X[1]), length);
+    apparent.add((pi - angle[0]) / degree, length);
+    liquid.add(wrapped(angle[1] - angle[0]) / degree, length);
+    gas.add(wrapped(angle[0] - angle[2]) / degree, length);
+    // Along the line a solid's forces are stresses of its own; what is left must balance the three tensions.
+    Vector3<double> force = vector_at(of_solid, node);
+    force -= dot(force, t) * t;
+    imbalance.add(norm(force) / (length * drop.surface_tension), length);
+  }
+  const auto report_along = [&](const std::string &name, const AlongLine &values, const Dimension dimension)
+  {
+    report(name, values.mean(), dimension);
+    if (surface.kind == SurfaceDiscretization::Kind::meridian)
+      return;
+    report(name + "_min", values.smallest, dimension);
+    report(name + "_max", values.largest, dimension);
+  };
+  report_along("ridge_height", height, dimensions::length);
+  report_along("ridge_radius", radius, dimensions::length);
+  report_along("contact_line_material_radius", material_radius, dimensions::length);
+  report_along("apparent_contact_angle_degrees", apparent, dimensions::none);
+  report("neumann_angle_liquid_degrees", liquid.mean(), dimensions::none);
+  report("neumann_angle_gas_degrees", gas.mean(), dimensions::none);
+  report("neumann_angle_solid_degrees", 360. - liquid.mean() - gas.mean(), dimensions::none);
+  report("line_force_imbalance", imbalance.mean(), dimensions::none);
+  const Vector3<double> held = reaction(model);
+  report("substrate_reaction_x", held[0], force_dimension);
+  report("substrate_reaction_y", held[1], force_dimension);
+  report("substrate_reaction_z", held[2], force_dimension);
+  return list;
+}
+} // namespace pellicle
