@@ -43,6 +43,14 @@ double loop_length(const EdgeLoop &loop, const NodalVectors &positions)
   return length;
 }
 
+std::vector<double> line_elements(const EdgeLoop &loop, const NodalVectors &positions)
+{
+  std::vector<double> elements;
+  for_all_points(loop.tables, loop.cell_nodes, positions, 2,
+                 [&](const WalkPoint &x) { elements.push_back(norm(x[1])); });
+  return elements;
+}
+
 std::vector<Vector3<double>> conormals(const SurfaceDiscretization &surface, const EdgeLoop &loop,
                                        const NodalVectors &positions)
 {

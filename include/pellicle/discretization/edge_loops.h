@@ -19,12 +19,16 @@ EdgeLoop circle_loop(const SurfaceDiscretization &meridian, const std::string &n
 std::vector<EdgeLoop> find_rims(const SurfaceDiscretization &surface,
                                 const std::function<std::string(const Vector3<double> &)> &name);
 
-/** The lines around the region of the given number (see cell_region) where other cells continue it; is_rim = false. */
+/** The lines around the region of the given number (see cell_region) where other cells continue it; is_rim = false. A
+ * line that ends on a mirror plane is not closed: it begins at its first node. */
 std::vector<EdgeLoop> find_region_boundary(const SurfaceDiscretization &surface, unsigned int region,
                                            const std::string &name);
 
 /** Length of the line, 2 pi r on a meridian. */
 double loop_length(const EdgeLoop &loop, const NodalVectors &positions);
+
+/** |x,1| at the quadrature points of a line, edge after edge: length per unit of the parameter. */
+std::vector<double> line_elements(const EdgeLoop &loop, const NodalVectors &positions);
 
 /**
  * Outward unit conormals nu = t x n of the surface (the region) on the left of a line, at its quadrature points:
