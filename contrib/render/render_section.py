@@ -343,7 +343,7 @@ def space_view(section, body, colours, shows_heights):
     camera.SetViewUp(0, 0, 1)
     camera.SetViewAngle(22)
     renderer.ResetCamera()
-    camera.Zoom(1.45)
+    camera.Zoom(1.9)
     renderer.ResetCameraClippingRange()
     renderer.AutomaticLightCreationOff()
     for position, strength in (((-0.9, 1.3, 1.4), 0.80), ((1.6, 0.2, 1.0), 0.30), ((-0.4, -1.4, 0.6), 0.15)):
