@@ -202,12 +202,13 @@ def aspect_of(view):
 class Section:
     """All that the views in section show."""
 
-    def __init__(self, surface, body):
+    def __init__(self, surface, body, is_bounded):
         quadrilaterals = section_cells(body)
         self.is_half = quadrilaterals is body
         self.body, self.lines = facets(quadrilaterals, 2), mesh_lines(quadrilaterals)
-        # The colours leave out what is far from all others: values at the line grow without bound.
-        self.range = colour_range(self.body, "shown")
+        # Displacements are bounded; of other fields the colours leave out what grows without bound at the line.
+        shown = self.body.GetPointData().GetArray("shown")
+        self.range = shown.GetRange() if is_bounded and shown.GetRange()[0] < shown.GetRange()[1] else colour_range(self.body, "shown")
         if self.is_half:
             self.body, self.lines = with_mirror_image(self.body), with_mirror_image(self.lines)
         self.regions = [region_facets(surface, r) for r in (CAP, WETTED, DRY)]
@@ -358,7 +359,7 @@ def space_view(section, body, colours, shows_heights):
 
 def draw(surface, body, field, title):
     component_of(body, field)
-    section = Section(surface, body)
+    section = Section(surface, body, field.startswith("displacement"))
     low, high = section.range
     colours = colour_map(low, high)
     window = vtkRenderWindow()
