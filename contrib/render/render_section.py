@@ -315,7 +315,8 @@ def space_view(section, body, colours, shows_heights):
     renderer.SetViewport(*SPACE_VIEW)
     renderer.SetBackground(1, 1, 1)
     parts = []
-    if body.GetCellType(0) == VTK_LAGRANGE_HEXAHEDRON:
+    is_solid = body.GetCellType(0) == VTK_LAGRANGE_HEXAHEDRON
+    if is_solid:
         parts.append(coloured_actor(smooth(facets(body, 1)), colours))
     else:
         for skin in section.regions[WETTED:]:
@@ -334,8 +335,8 @@ def space_view(section, body, colours, shows_heights):
     camera = renderer.GetActiveCamera()
     elevation, azimuth = math.radians(24), math.radians(-62)
     bounds = vtkAppendPolyData()
-    for region in section.regions:
-        bounds.AddInputData(region)
+    for shown in section.regions + ([section.body] if is_solid else []):
+        bounds.AddInputData(shown)
     bounds.Update()
     centre, size = box_of(bounds.GetOutput())
     direction = (math.cos(elevation) * math.cos(azimuth), math.cos(elevation) * math.sin(azimuth), math.sin(elevation))
@@ -344,7 +345,7 @@ def space_view(section, body, colours, shows_heights):
     camera.SetViewUp(0, 0, 1)
     camera.SetViewAngle(22)
     renderer.ResetCamera()
-    camera.Zoom(1.9)
+    camera.Zoom(1.6 if is_solid else 1.9)
     renderer.ResetCameraClippingRange()
     renderer.AutomaticLightCreationOff()
     for position, strength in (((-0.9, 1.3, 1.4), 0.80), ((1.6, 0.2, 1.0), 0.30), ((-0.4, -1.4, 0.6), 0.15)):
