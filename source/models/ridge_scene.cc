@@ -166,19 +166,21 @@ void RidgeScene::set_targets(const Scales &scales, SceneTargets &targets) const
   targets.volume           = droplet.volume / scales.of(dimensions::volume);
   const double per_tension = tensions.scale / scales.of(dimensions::tension);
   DropletTargets drop;
-  drop.surface_tension   = tensions.liquid_gas * per_tension;
-  const double a         = droplet.inclination * degree;
-  drop.body_force        = droplet.body_force / scales.of({1, -4}) * Vector3<double>(std::sin(a), 0., -std::cos(a));
-  drop.unit_of_place     = scales.length;
-  drop.has_base_membrane = true;
-  drop.bounded_by        = {liquid_gas_region, solid_liquid_region};
-  targets.droplet        = drop;
+  drop.surface_tension       = tensions.liquid_gas * per_tension;
+  const double a             = droplet.inclination * degree;
+  drop.force_per_bond_number = 1. / scales.of({1, -4}) * Vector3<double>(std::sin(a), 0., -std::cos(a));
+  drop.body_force            = droplet.body_force * drop.force_per_bond_number;
+  drop.unit_of_place         = scales.length;
+  drop.has_base_membrane     = true;
+  drop.bounded_by            = {liquid_gas_region, solid_liquid_region};
+  targets.droplet            = drop;
 
   RidgeTargets soft;
   soft.solid_liquid_tension = tensions.solid_liquid * per_tension;
   soft.solid_gas_tension    = tensions.solid_gas * per_tension;
   soft.young_modulus        = substrate.young / scales.of(dimensions::pressure);
   soft.poisson_ratio        = substrate.poisson;
+  soft.load                 = tensions.scale;
   soft.line_is_free         = line_is_free();
   targets.substrate         = soft;
 }

@@ -341,4 +341,26 @@ TEST(RidgeEffects, DerivativesByTensionsAndModulus)
   EXPECT_NEAR(slope_of(*ridge_effects().create("liquid surface"), "Tensions/Liquid gas"), 0.5 * area / tension_unit,
               1e-15);
 }
+
+// All tensions are proportional to the load, and gravity to the body force.
+TEST(RidgeEffects, DerivativesByTheLoads)
+{
+  SceneTargets targets                   = soft_targets(1.7, 0.3);
+  targets.droplet->force_per_bond_number = {0.6, 0., -0.8};
+  targets.droplet->body_force            = 0.7 * targets.droplet->force_per_bond_number;
+  const auto slope_over_energy           = [&](const char *name, const std::string &parameter)
+  {
+    const std::unique_ptr<Effect> effect = ridge_effects().create(name);
+    PotentialSet whole, slope;
+    effect->contribute(Scales{}, targets, whole);
+    for (const ParameterDerivative &derivative : effect->derivatives(Scales{}, targets))
+      if (derivative.parameter == parameter)
+        slope.energies.push_back(derivative.energy);
+    EXPECT_EQ(slope.energies.size(), whole.energies.size());
+    return energy_at(slope, stretched) / energy_at(whole, stretched);
+  };
+  EXPECT_NEAR(slope_over_energy("liquid surface", "Tensions/Scale"), 1. / 0.5, 1e-14);
+  EXPECT_NEAR(slope_over_energy("solid skins", "Tensions/Scale"), 1. / 0.5, 1e-14);
+  EXPECT_NEAR(slope_over_energy("gravity", "Droplet/Body force"), 1. / 0.7, 1e-14);
+}
 } // namespace

@@ -6,6 +6,7 @@
 #include <pellicle/potentials/wetting/solid_skins.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace pellicle
 {
@@ -76,8 +77,15 @@ void SolidSkinsEffect::contribute(const Scales &scales, const SceneTargets &targ
 
 std::vector<ParameterDerivative> SolidSkinsEffect::derivatives(const Scales &scales, const SceneTargets &targets) const
 {
-  const double slope = targets.soft_substrate().load / scales.of(dimensions::tension);
-  return {{"Tensions/Solid liquid", tension_on(name(), slope, solid_liquid_region), "", 0.},
-          {"Tensions/Solid gas", tension_on(name(), slope, solid_gas_region), "", 0.}};
+  const RidgeTargets &substrate = targets.soft_substrate();
+  const double slope            = substrate.load / scales.of(dimensions::tension);
+  std::vector<ParameterDerivative> list{
+      {"Tensions/Solid liquid", tension_on(name(), slope, solid_liquid_region), "", 0.},
+      {"Tensions/Solid gas", tension_on(name(), slope, solid_gas_region), "", 0.}};
+  if (substrate.load > 0.)
+    for (const auto &[tension, region] : {std::make_pair(substrate.solid_liquid_tension, solid_liquid_region),
+                                          std::make_pair(substrate.solid_gas_tension, solid_gas_region)})
+      list.push_back({"Tensions/Scale", tension_on(name(), tension / substrate.load, region), "", 0.});
+  return list;
 }
 } // namespace pellicle
