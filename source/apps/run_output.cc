@@ -40,7 +40,7 @@ void RunOutput::write_solution(const SurfaceModel &model, const int step, const 
   if (!writes || !parameters.solution)
     return;
   const Timing::Scope scope(timing, "output");
-  last_solution = solutions->write(model.sample(), step, time);
+  last_solution = solutions->write(model.sample(), step, time, model.body_samples());
 }
 
 void RunOutput::finish(const SurfaceModel &model, RunResult &result)
@@ -60,25 +60,37 @@ void RunOutput::finish(const SurfaceModel &model, RunResult &result)
 
 void RunOutput::draw(const SurfaceModel &model, RunResult &result)
 {
-  // Without Output/Solution the renderer still needs a file to read; it does not stay.
-  const fs::path vtu = last_solution.empty() ? directory / "picture.vtu" : last_solution;
-  if (last_solution.empty())
-    write_vtu(vtu, model.sample());
-  const SurfaceSample bodies = model.surroundings();
-  const fs::path beside      = bodies.n_cells > 0 ? directory / "substrate.vtu" : fs::path();
-  if (!beside.empty())
-    write_vtu(beside, bodies);
-  if (const std::optional<std::string> reason =
-          render_picture(vtu, beside, directory / "picture.png", result.application))
+  // Without Output/Solution the renderer still needs files to read; they do not stay.
+  std::vector<fs::path> temporary;
+  const auto written = [&](const char *name, const SurfaceSample &sample)
+  {
+    temporary.push_back(directory / name);
+    write_vtu(temporary.back(), sample);
+    return temporary.back();
+  };
+  const fs::path vtu = last_solution.empty() ? written("picture.vtu", model.sample()) : last_solution;
+  const std::vector<NamedSample> bodies = model.body_samples();
+  const SurfaceSample surroundings      = model.surroundings();
+  const fs::path png                    = directory / "picture.png";
+  std::optional<std::string> reason;
+  if (!bodies.empty())
+    reason = render_section(vtu, written("picture_body.vtu", bodies[0].sample), png, result.application);
+  else if (surroundings.n_cells == 0)
+    reason = render_picture(vtu, "", png, result.application);
+  else
+  {
+    const fs::path beside = directory / "substrate.vtu";
+    write_vtu(beside, surroundings);
+    if (last_solution.empty())
+      temporary.push_back(beside);
+    reason = render_picture(vtu, beside, png, result.application);
+  }
+  if (reason)
   {
     progress->on_message(*reason);
     result.warnings.push_back(*reason);
   }
-  if (last_solution.empty())
-  {
-    fs::remove(vtu);
-    if (!beside.empty())
-      fs::remove(beside);
-  }
+  for (const fs::path &path : temporary)
+    fs::remove(path);
 }
 } // namespace pellicle

@@ -236,9 +236,9 @@ void BorderedSystem::curve(const Cell &cell, const Element &physics, const Eleme
       const unsigned int n_rows = unknowns.count(f, cell.nodes[i]);
       if (n_rows == 0)
         continue;
-      const NodalChart &chart      = unknowns.charts[f];
-      const CellColumn *const own  = cell_columns.data() + first_cell_column[i * n_fields + f];
-      const auto component_along   = [&](const std::vector<double> &gradient, const Vector3<double> &direction)
+      const NodalChart &chart     = unknowns.charts[f];
+      const CellColumn *const own = cell_columns.data() + first_cell_column[i * n_fields + f];
+      const auto component_along  = [&](const std::vector<double> &gradient, const Vector3<double> &direction)
       {
         double along = 0.;
         for (unsigned int c = 0; c < 3; ++c)

@@ -101,8 +101,8 @@ std::vector<std::vector<NodalChart::Carrier>> carriers_of_sheets(const SurfaceDi
     if (unknown_nodes.empty() || source_nodes.empty())
       continue;
     Entries inner;
-    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(static_cast<int>(unknown_nodes.size()),
-                                                  static_cast<int>(source_nodes.size()));
+    Eigen::MatrixXd right =
+        Eigen::MatrixXd::Zero(static_cast<int>(unknown_nodes.size()), static_cast<int>(source_nodes.size()));
     for (const auto &entry : forms[c])
       if (unknown[entry.row()] != none && unknown[entry.col()] != none)
         inner.emplace_back(unknown[entry.row()], unknown[entry.col()], entry.value());
@@ -118,9 +118,10 @@ std::vector<std::vector<NodalChart::Carrier>> carriers_of_sheets(const SurfaceDi
       {
         if (std::abs(shares(i, j)) < smallest_share)
           continue;
-        auto &list       = carriers[unknown_nodes[i]];
-        const auto known = std::find_if(list.begin(), list.end(), [&](const NodalChart::Carrier &carrier)
-                                        { return carrier.node == source_nodes[j]; });
+        auto &list = carriers[unknown_nodes[i]];
+        const auto known =
+            std::find_if(list.begin(), list.end(),
+                         [&](const NodalChart::Carrier &carrier) { return carrier.node == source_nodes[j]; });
         if (known == list.end())
         {
           list.push_back({source_nodes[j], {}});

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "body_degree.h"
 #include "graded_line.h"
 
 #include <pellicle/base/exact_text.h>
@@ -38,13 +39,6 @@ struct Line
     nodes.push_back(ends.back());
   }
 };
-
-void check_degree(const unsigned int degree, const unsigned int highest)
-{
-  if (degree < 1 || degree > highest)
-    throw UserError("Degree = " + std::to_string(degree) + ": the cells of such a body have a degree from 1 to " +
-                    std::to_string(highest) + ".");
-}
 
 /** Numbers of the nodes of a grid of n[0] x n[1] x n[2], the first coordinate fastest. */
 struct Grid
@@ -87,7 +81,7 @@ std::vector<double> cell_ends(const double from, const double to, const unsigned
 
 SurfaceDiscretization block(const std::string &name, const BlockShape &shape, const unsigned int degree)
 {
-  check_degree(degree, highest_hexahedral_degree);
+  check_body_degree(degree, highest_hexahedral_degree);
   const Line x("x", shape.x, degree), y("y", shape.y, degree), z("z", shape.z, degree);
   const Grid grid{{{x.nodes.size(), y.nodes.size(), z.nodes.size()}}};
 
@@ -132,7 +126,7 @@ SurfaceDiscretization block(const std::string &name, const BlockShape &shape, co
 
 SurfaceDiscretization cylinder(const std::string &name, const CylinderShape &shape, const unsigned int degree)
 {
-  check_degree(degree, highest_degree);
+  check_body_degree(degree, highest_degree);
   const Line r("r", shape.r, degree), z("z", shape.z, degree);
   if (r.nodes.front() < 0.)
     throw UserError("A cylinder about z begins at r >= 0, not at r = " + exact_text(r.nodes.front()) + ".");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace pellicle
@@ -51,14 +52,19 @@ std::map<std::size_t, CellSide> unmatched(const SideMap &cells)
   return sides;
 }
 
-/** Joins sides end to end; the first of each line is the one of the first cell. */
+/** Joins sides end to end; the first of each line is where it begins or, of a closed one, the one of the first cell. */
 std::vector<EdgeLoop> join(const SurfaceDiscretization &surface, std::map<std::size_t, CellSide> from)
 {
   std::vector<EdgeLoop> loops;
   while (!from.empty())
   {
+    std::set<std::size_t> reached;
+    for (const auto &[node, side] : from)
+      reached.insert(side_node(surface, side, surface.degree));
     const auto first_cell = [](const auto &a, const auto &b) { return a.second.cell < b.second.cell; };
-    auto next             = std::min_element(from.begin(), from.end(), first_cell);
+    auto next = std::find_if(from.begin(), from.end(), [&](const auto &at) { return reached.count(at.first) == 0; });
+    if (next == from.end())
+      next = std::min_element(from.begin(), from.end(), first_cell);
     EdgeLoop loop;
     loop.tables = make_edge_tables(surface.degree, surface.degree + 1);
     while (next != from.end())
@@ -70,7 +76,6 @@ std::vector<EdgeLoop> join(const SurfaceDiscretization &surface, std::map<std::s
         loop.cell_nodes.push_back(side_node(surface, at, i));
       next = from.find(loop.cell_nodes.back());
     }
-    PELLICLE_ASSERT(loop.cell_nodes.front() == loop.cell_nodes.back(), "a line around a surface is closed");
     loop.n_cells = loop.sides.size();
     loops.push_back(std::move(loop));
   }
@@ -98,6 +103,7 @@ std::vector<EdgeLoop> find_rims(const SurfaceDiscretization &surface,
   std::vector<EdgeLoop> rims = join(surface, unmatched(collect_sides(surface, [](const std::size_t) { return true; })));
   for (EdgeLoop &rim : rims)
   {
+    PELLICLE_ASSERT(rim.cell_nodes.front() == rim.cell_nodes.back(), "a line around a surface is closed");
     const double *const x = &surface.positions[3 * rim.cell_nodes[0]];
     rim.name              = name({x[0], x[1], x[2]});
   }

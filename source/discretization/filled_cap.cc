@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "body_degree.h"
+
 #include <pellicle/base/constants.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
@@ -138,10 +140,7 @@ SurfaceDiscretization filled_cap(const double angle, const double area, const un
     throw UserError("Contact angle = " + exact_text(angle) +
                     ": the polar angle of the rim of a cap with liquid below it must lie strictly between 0 and pi "
                     "(radians).");
-  const unsigned int highest = axial ? 5 : 3;
-  if (degree < 1 || degree > highest)
-    throw UserError("Degree = " + std::to_string(degree) + ": the cells of such a body have a degree from 1 to " +
-                    std::to_string(highest) + ".");
+  check_body_degree(degree, axial ? 5 : 3);
   CapOverBlock outline         = axial ? meridian_over_block(angle, area, degree, refinements)
                                        : surface_over_block(angle, area, degree, refinements);
   SurfaceDiscretization result = std::move(outline.cap);

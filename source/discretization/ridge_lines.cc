@@ -57,8 +57,8 @@ void check_ridge(const RidgeShape &shape)
                     " the lateral faces of a substrate of half width " + exact_text(shape.half_width) +
                     ": no solid is left beside the contact line there. Take a wider substrate (twice the ring's "
                     "radius is a good start) or a smaller ring.");
-  check_range("Growth of cells", shape.growth, 1.05, 3.);
-  check_range("Coarsest cell", shape.coarsest, .02, .5);
+  check_range("Growth of cells", shape.growth, 1.01, 3.);
+  check_range("Coarsest cell", shape.coarsest, .01, .5);
   const double room    = std::min(shape.half_width - shape.ring_radius, shape.thickness);
   const double largest = std::min(shape.coarsest * shape.ring_radius, .5 * room), smallest = finest * shape.ring_radius;
   if (!(shape.cell_size >= smallest && shape.cell_size <= largest))

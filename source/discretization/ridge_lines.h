@@ -3,6 +3,7 @@
 
 #include <pellicle/discretization/ridge_mesh.h>
 
+#include <array>
 #include <vector>
 
 namespace pellicle
@@ -32,6 +33,8 @@ public:
 
   /** (r, z); exactly (ring_radius, 0) for rho = 1. */
   std::array<double, 2> at(double rho) const;
+  /** Polar angle of the ring. */
+  double angle() const { return rim_angle; }
   /** Length of its meridian. */
   double arc() const { return radius * rim_angle; }
 

@@ -71,9 +71,10 @@ SurfaceDiscretization axial_ridge(const RidgeShape &shape)
   result.cell_region.resize(cap.n_cells + n_wetted, 1);
   result.n_cells = cap.n_cells + lines.r.size() - 1;
   result.cell_region.resize(result.n_cells, 2);
-  result.region_names   = {liquid_gas_region, solid_liquid_region, solid_gas_region};
-  result.edges          = {circle_loop(result, contact_line, cap.n_cells - 1, true, false)};
-  result.mesh_reference = result.positions;
+  result.region_names              = {liquid_gas_region, solid_liquid_region, solid_gas_region};
+  result.edges                     = {circle_loop(result, contact_line, cap.n_cells - 1, true, false)};
+  result.edges.front().is_junction = true;
+  result.mesh_reference            = result.positions;
   return result;
 }
 } // namespace pellicle

@@ -21,11 +21,11 @@ NodalChart chart_of_internal_field(const SurfaceDiscretization &discretization, 
                                    const NodalVectors &positions, const NodalVectors &values,
                                    const NodalConditions &conditions)
 {
-  NodalChart chart = field.space == FieldSpace::edge_conormals ? conormal_chart(discretization, positions, values)
-                     : field.space == FieldSpace::edge_scalars ? edge_scalar_chart(discretization)
-                     : field.space == FieldSpace::bulk_scalars ? bulk_scalar_chart(discretization)
+  NodalChart chart = field.space == FieldSpace::edge_conormals    ? conormal_chart(discretization, positions, values)
+                     : field.space == FieldSpace::edge_scalars    ? edge_scalar_chart(discretization)
+                     : field.space == FieldSpace::bulk_scalars    ? bulk_scalar_chart(discretization)
                      : field.space == FieldSpace::material_places ? held_chart(discretization)
-                                                               : surface_vector_chart(discretization);
+                                                                  : surface_vector_chart(discretization);
   apply_conditions(conditions, field.name, chart);
   return chart;
 }

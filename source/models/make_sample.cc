@@ -120,6 +120,13 @@ SurfaceSample make_sample(const SurfaceDiscretization &discretization, const Nod
   sample.degree  = discretization.degree;
   sample.n_cells = meridian ? revolve.n_cells() : discretization.n_cells;
   sample.points  = sampled(positions, 3);
+  if (!discretization.cell_region.empty())
+  {
+    std::vector<double> regions;
+    for (const unsigned int region : discretization.cell_region)
+      regions.insert(regions.end(), at_points.n_points, region);
+    sample.fields.push_back({"region", 1, meridian ? revolve(regions, 1) : std::move(regions)});
+  }
   for (const SampledNodalField &field : fields)
     sample.fields.push_back({field.name, field.n_components, sampled(field.values, field.n_components)});
   return sample;

@@ -43,8 +43,8 @@ std::map<std::size_t, double> nodal_lengths(const EdgeLoop &line, const NodalVec
                  [&](const WalkPoint &x)
                  {
                    for (unsigned int I = 0; I < line.tables.n_nodes; ++I)
-                     lengths[x.nodes[I]] += x.weight * norm(x[1]) *
-                                            line.tables.tables[0][std::size_t(x.q) * line.tables.n_nodes + I];
+                     lengths[x.nodes[I]] +=
+                         x.weight * norm(x[1]) * line.tables.tables[0][std::size_t(x.q) * line.tables.n_nodes + I];
                  });
   return lengths;
 }
@@ -129,10 +129,9 @@ std::vector<NamedQuantity> measure_ridge(const SurfaceModel &model)
   report("solid_gas_area", regions.area[2], dimensions::area);
   report("liquid_weight", model.has_energy("gravity") ? norm(drop.body_force) * regions.volume : 0., force_dimension);
 
-  const auto &fields           = problem.layout();
-  const NodalVectors &material = fields.has("material position")
-                                     ? problem.state().fields[fields.index("material position")]
-                                     : surface.positions;
+  const auto &fields = problem.layout();
+  const NodalVectors &material =
+      fields.has("material position") ? problem.state().fields[fields.index("material position")] : surface.positions;
   PotentialSet solid;
   for (const auto &energy : problem.potentials().energies)
     if (energy->name() == "solid")

@@ -205,8 +205,8 @@ void SurfaceModel::update(const SurfaceScene &scene)
 
 PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
 {
-  targets                      = scene.targets(unit);
-  targets.reference            = reference;
+  targets           = scene.targets(unit);
+  targets.reference = reference;
   scene.add_references(solved_mesh(), targets);
   targets.euler_characteristic = euler_characteristic(discretization);
   for (SceneEdge &edge : targets.edges)

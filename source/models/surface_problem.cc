@@ -82,7 +82,8 @@ std::vector<ReferenceMetric> reference_metric(const SurfaceDiscretization &discr
   return metric;
 }
 
-// Positions of the start shape, which are the places of material points as well, its conormals on the edges that have them as unknowns, zero for the rest.
+// Positions of the start shape, which are the places of material points as well, its conormals on the edges that have
+// them as unknowns, zero for the rest.
 FieldValues start_fields(const SurfaceDiscretization &discretization, const FieldLayout &layout,
                          const NodalConditions &conditions)
 {
@@ -169,7 +170,7 @@ void SurfaceProblem::use_chart(const PositionChart new_chart, const NodalVectors
   // Reactions of another chart balance other forces.
   if (chart != new_chart || current.rigid_reactions.size() != n_rigid())
     current.rigid_reactions.assign(n_rigid(), 0.);
-  chart               = new_chart;
+  chart = new_chart;
   if (chart == PositionChart::graph && surface.has_junctions())
     find_sheet_carriers();
   const bool all_free = std::find(material.begin(), material.end(), false) == material.end();

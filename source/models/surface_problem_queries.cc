@@ -122,7 +122,7 @@ double SurfaceProblem::displacement(const std::vector<double> &direction) const
 std::vector<double> SurfaceProblem::direction_of(const NodalVectors &displacements) const
 {
   // Its own columns, which are orthonormal, account for what carriers do not.
-  NodalVectors own                                                    = displacements;
+  NodalVectors own                                              = displacements;
   const std::vector<std::vector<NodalChart::Carrier>> &carriers = system->numbering().charts[0].carriers;
   for (std::size_t I = 0; I < carriers.size(); ++I)
     for (const NodalChart::Carrier &carrier : carriers[I])

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What users read of a surface model: quantities and sampled fields, scaled back to their units.
 #include <pellicle/base/constants.h>
+#include <pellicle/discretization/sheets.h>
 #include <pellicle/models/make_sample.h>
 #include <pellicle/models/nodal_curvature.h>
+#include <pellicle/models/sample_body.h>
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_model.h>
 
@@ -30,6 +32,9 @@ std::string energy_quantity(const std::string &potential)
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 }
+
+/** The field of the undeformed places of a body's nodes, where they are unknown. */
+constexpr const char *material_position = "material position";
 
 /** Adds to the quantity of that name, or appends it. */
 template <typename Quantity>
@@ -129,16 +134,16 @@ std::vector<NamedQuantity> SurfaceModel::forces() const
 
 std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
 {
-  const NodalVectors positions   = this->positions();
-  const ShapeMeasures shape      = measure_shape(discretization, positions);
-  const NodalCurvature curvature = nodal_curvature(discretization, positions);
-
   std::vector<std::pair<std::string, double>> list;
   const auto report = [&](const std::string &name, const double value, const Dimension dimension)
   { list.emplace_back(name, value * unit.of(dimension)); };
-  const bool has_inside = discretization.is_closed() && !discretization.has_junctions();
-  report("area", shape.area, dimensions::area);
-  if (has_inside)
+  // Sheets that meet at a junction are no single shape.
+  const bool is_one_shape   = !discretization.has_junctions();
+  const ShapeMeasures shape = is_one_shape ? measure_shape(discretization, positions()) : ShapeMeasures();
+  const bool is_closed      = is_one_shape && discretization.is_closed();
+  if (is_one_shape)
+    report("area", shape.area, dimensions::area);
+  if (is_closed)
   {
     report("volume", shape.volume, dimensions::volume);
     report("reduced_volume", shape.reduced_volume, dimensions::none);
@@ -163,12 +168,15 @@ std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
   if (own_measures)
     for (const NamedQuantity &quantity : own_measures(*this))
       report(quantity.name, quantity.value, quantity.dimension);
-  report("integrated_mean_curvature", integrated_mean_curvature(discretization, positions, curvature.curvature_vector),
-         dimensions::length);
+  if (!is_one_shape)
+    return list;
+  const NodalCurvature curvature = nodal_curvature(discretization, positions());
+  report("integrated_mean_curvature",
+         integrated_mean_curvature(discretization, positions(), curvature.curvature_vector), dimensions::length);
   report("gauss_bonnet", shape.gauss_bonnet, dimensions::none);
   report("height", shape.height, dimensions::length);
   report("equatorial_radius", shape.equatorial_radius, dimensions::length);
-  if (has_inside)
+  if (is_closed)
     report("axis_thickness", shape.axis_thickness, dimensions::length);
   report("min_cell_quality", shape.min_cell_quality, dimensions::none);
   report("cell_area_ratio", shape.cell_area_ratio, dimensions::none);
@@ -183,24 +191,46 @@ SurfaceSample SurfaceModel::sample() const
       value *= factor;
     return values;
   };
-  const SurfaceState &state      = problem->state();
-  const NodalCurvature curvature = nodal_curvature(discretization, on_mesh(state.fields[0]));
+  const SurfaceState &state = problem->state();
+  // Of sheets that meet at a junction, or end on a body, each has its own normals and curvatures there.
+  const std::optional<Sheets> sheets   = discretization.bulks.empty() && !discretization.has_junctions()
+                                             ? std::nullopt
+                                             : std::optional(sheets_of(discretization));
+  const SurfaceDiscretization &surface = sheets ? sheets->surface : discretization;
+  const auto of_surface                = [&](const NodalVectors &values)
+  { return sheets ? sheets->values(on_mesh(values), 3) : on_mesh(values); };
+  const NodalCurvature curvature = nodal_curvature(surface, of_surface(state.fields[0]));
 
   std::vector<SampledNodalField> fields;
   fields.push_back(
       {"mean_curvature_outward", 1, scaled_values(curvature.mean_outward, unit.of(dimensions::curvature))});
   fields.push_back({"gauss_curvature", 1, scaled_values(curvature.gauss, unit.of(dimensions::gauss_curvature))});
   for (std::size_t f = 1; f < state.fields.size(); ++f)
-    fields.push_back({problem->layout().fields()[f].name, 3,
-                      scaled_values(on_mesh(state.fields[f]), unit.of(dimensions::line_tension))});
+    if (const Field &field = problem->layout().fields()[f]; field.space != FieldSpace::bulk_scalars)
+    {
+      const Dimension dimension = field.name == material_position ? dimensions::length : dimensions::line_tension;
+      fields.push_back({field.name, 3, scaled_values(of_surface(state.fields[f]), unit.of(dimension))});
+    }
 
   if (last_stability)
     for (std::size_t k = 0; k < last_stability->modes.size(); ++k)
-      fields.push_back({"mode_" + std::to_string(k + 1), 3, on_mesh(last_stability->modes[k])});
+      fields.push_back({"mode_" + std::to_string(k + 1), 3, of_surface(last_stability->modes[k])});
 
-  NodalVectors positions = scaled_values(on_mesh(state.fields[0]), unit.length);
+  NodalVectors positions = scaled_values(of_surface(state.fields[0]), unit.length);
   for (std::size_t i = 0; i < positions.size(); ++i)
     positions[i] += centroid[i % 3];
-  return make_sample(discretization, positions, fields);
+  return make_sample(surface, positions, fields);
+}
+
+std::vector<NamedSample> SurfaceModel::body_samples() const
+{
+  const FieldLayout &layout     = problem->layout();
+  const NodalVectors &reference = layout.has(material_position)
+                                      ? problem->state().fields[layout.index(material_position)]
+                                      : discretization.positions;
+  std::vector<NamedSample> list;
+  for (const BulkPart &body : discretization.bulks)
+    list.push_back({body.name, sample_body(*problem, discretization, body, reference, unit)});
+  return list;
 }
 } // namespace pellicle

@@ -29,35 +29,22 @@ std::string last_line(const std::string &text)
   return text.substr(start == std::string::npos ? 0 : start + 1,
                      end - (start == std::string::npos ? 0 : start + 1) + 1);
 }
-} // namespace
 
-std::optional<std::filesystem::path> find_render_script()
+/** The script, with the paths and options that follow; why there is no picture, if there is none. */
+std::optional<std::string> run_renderer(const std::string &script_name, const std::filesystem::path &png,
+                                        const std::vector<std::string> &arguments)
 {
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  const std::filesystem::path installed =
-      program.parent_path().parent_path() / "share/pellicle/render/render_surface.py";
-  for (const std::filesystem::path &script : {installed, std::filesystem::path(PELLICLE_RENDER_SCRIPT)})
-    if (std::filesystem::is_regular_file(script, error))
-      return script;
-  return {};
-}
-
-std::optional<std::string> render_picture(const std::filesystem::path &vtu, const std::filesystem::path &beside,
-                                          const std::filesystem::path &png, const std::string &title)
-{
-  const auto script = find_render_script();
+  const auto script = find_render_script(script_name);
   if (!script)
-    return "No picture: render_surface.py is not installed.";
+    return "No picture: " + script_name + " is not installed.";
   if (!is_executable(virtual_display))
     return "No picture: " + std::string(virtual_display) + " is missing (on Debian: apt-get install xvfb xauth).";
   if (!is_executable(interpreter))
     return "No picture: " + std::string(interpreter) + " is missing (on Debian: apt-get install python3-vtk9).";
 
-  std::vector<std::string> command{virtual_display, "-a",         interpreter,       script->string(),
-                                   vtu.string(),    png.string(), "--title=" + title};
-  if (!beside.empty())
-    command.push_back("--beside=" + beside.string());
+  // -B: the folder of the scripts is not written to.
+  std::vector<std::string> command{virtual_display, "-a", interpreter, "-B", script->string()};
+  command.insert(command.end(), arguments.begin(), arguments.end());
   const ProgramEnd end = run_program(command, render_timeout);
   if (!end.started)
     return "No picture: the renderer could not be started.";
@@ -69,5 +56,32 @@ std::optional<std::string> render_picture(const std::filesystem::path &vtu, cons
   if (!std::filesystem::is_regular_file(png, error))
     return "No picture: the renderer wrote none.";
   return {};
+}
+} // namespace
+
+std::optional<std::filesystem::path> find_render_script(const std::string &name)
+{
+  std::error_code error;
+  const std::filesystem::path program   = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::filesystem::path installed = program.parent_path().parent_path() / "share/pellicle/render";
+  for (const std::filesystem::path &folder : {installed, std::filesystem::path(PELLICLE_RENDER_FOLDER)})
+    if (std::filesystem::is_regular_file(folder / name, error))
+      return folder / name;
+  return {};
+}
+
+std::optional<std::string> render_picture(const std::filesystem::path &vtu, const std::filesystem::path &beside,
+                                          const std::filesystem::path &png, const std::string &title)
+{
+  std::vector<std::string> arguments{vtu.string(), png.string(), "--title=" + title};
+  if (!beside.empty())
+    arguments.push_back("--beside=" + beside.string());
+  return run_renderer("render_surface.py", png, arguments);
+}
+
+std::optional<std::string> render_section(const std::filesystem::path &vtu, const std::filesystem::path &body,
+                                          const std::filesystem::path &png, const std::string &title)
+{
+  return run_renderer("render_section.py", png, {vtu.string(), body.string(), png.string(), "--title=" + title});
 }
 } // namespace pellicle

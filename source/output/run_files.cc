@@ -13,9 +13,9 @@ namespace pellicle
 namespace
 {
 /** solution_0012.vtu and the like. */
-bool is_solution_file(const std::string &name)
+bool is_file_of_a_step(const std::string &name, const std::string &prefix)
 {
-  const std::string prefix = "solution_", suffix = ".vtu";
+  const std::string suffix = ".vtu";
   if (name.size() <= prefix.size() + suffix.size() || name.compare(0, prefix.size(), prefix) != 0 ||
       name.compare(name.size() - suffix.size(), suffix.size(), suffix) != 0)
     return false;
@@ -29,7 +29,7 @@ bool is_result_file(const std::string &name)
                              "phase_diagram.csv", "solution.pvd", "picture.png"})
     if (name == result)
       return true;
-  return is_solution_file(name);
+  return is_file_of_a_step(name, "solution_") || is_file_of_a_step(name, "substrate_");
 }
 } // namespace
 

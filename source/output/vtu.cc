@@ -13,26 +13,29 @@ namespace pellicle
 {
 namespace
 {
-using Patch       = dealii::DataOutBase::Patch<2, 3>;
-using VectorRange = std::tuple<unsigned int, unsigned int, std::string,
+template <int dim>
+using Patch       = dealii::DataOutBase::Patch<dim, 3>;
+using RangeOfRows = std::tuple<unsigned int, unsigned int, std::string,
                                dealii::DataComponentInterpretation::DataComponentInterpretation>;
 
 constexpr auto is_vector = dealii::DataComponentInterpretation::component_is_part_of_vector;
+constexpr auto is_tensor = dealii::DataComponentInterpretation::component_is_part_of_tensor;
 
 /**
  * One cell in deal.II's terms: a table with a row for each scalar component and a column for each point, points
  * lexicographic as in the sample. The last three rows are the coordinates; deal.II takes the points from there when
  * `points_are_available`.
  */
-Patch make_patch(const SurfaceSample &sample, const std::vector<SampledField> &fields, const unsigned int n_components,
-                 const std::size_t cell)
+template <int dim>
+Patch<dim> make_patch(const SurfaceSample &sample, const std::vector<SampledField> &fields,
+                      const unsigned int n_components, const std::size_t cell)
 {
   const std::size_t n_points = sample.points_per_cell(), first = cell * n_points;
   const unsigned int k = sample.degree;
 
-  Patch patch;
+  Patch<dim> patch;
   patch.patch_index          = cell;
-  patch.reference_cell       = dealii::ReferenceCells::Quadrilateral; // the default is none, and writes no cells
+  patch.reference_cell       = dealii::ReferenceCells::get_hypercube<dim>(); // the default is none, and writes no cells
   patch.n_subdivisions       = k;
   patch.points_are_available = true;
   patch.data.reinit(n_components + 3, n_points);
@@ -46,13 +49,18 @@ Patch make_patch(const SurfaceSample &sample, const std::vector<SampledField> &f
     for (std::size_t p = 0; p < n_points; ++p)
       patch.data(row, p) = sample.points[3 * (first + p) + c];
 
-  const std::size_t corners[4] = {0, k, std::size_t(k) * (k + 1), n_points - 1};
-  for (unsigned int v = 0; v < 4; ++v)
+  for (unsigned int v = 0; v < (1u << dim); ++v)
+  {
+    std::size_t corner = first, stride = k;
+    for (unsigned int d = 0; d < dim; ++d, stride *= k + 1)
+      corner += ((v >> d) & 1u) * stride;
     for (unsigned int c = 0; c < 3; ++c)
-      patch.vertices[v][c] = sample.points[3 * (first + corners[v]) + c];
+      patch.vertices[v][c] = sample.points[3 * corner + c];
+  }
   return patch;
 }
 
+template <int dim>
 std::string vtu_text(const SurfaceSample &sample)
 {
   std::vector<SampledField> fields = {{"position", 3, sample.points}};
@@ -61,28 +69,30 @@ std::string vtu_text(const SurfaceSample &sample)
       fields.push_back(field);
 
   std::vector<std::string> component_names;
-  std::vector<VectorRange> vectors;
+  std::vector<RangeOfRows> ranges;
   for (const SampledField &field : fields)
   {
-    PELLICLE_ASSERT(field.n_components == 1 || field.n_components == 3, "fields are scalars or vectors");
+    PELLICLE_ASSERT(field.n_components == 1 || field.n_components == 3 || field.n_components == 9,
+                    "fields are scalars, vectors or tensors");
     PELLICLE_ASSERT(field.values.size() == sample.n_points() * field.n_components, "a value for every point");
     const unsigned int first = component_names.size();
-    if (field.n_components == 3)
-      vectors.emplace_back(first, first + 2, field.name, is_vector);
+    if (field.n_components > 1)
+      ranges.emplace_back(first, first + field.n_components - 1, field.name,
+                          field.n_components == 3 ? is_vector : is_tensor);
     component_names.insert(component_names.end(), field.n_components, field.name);
   }
 
-  std::vector<Patch> patches;
+  std::vector<Patch<dim>> patches;
   patches.reserve(sample.n_cells);
   for (std::size_t cell = 0; cell < sample.n_cells; ++cell)
-    patches.push_back(make_patch(sample, fields, component_names.size(), cell));
+    patches.push_back(make_patch<dim>(sample, fields, component_names.size(), cell));
 
   dealii::DataOutBase::VtkFlags flags;
   flags.write_higher_order_cells = true;
   flags.print_date_and_time      = false; // the same run gives the same file
   flags.compression_level        = dealii::DataOutBase::VtkFlags::best_speed;
   std::ostringstream out;
-  dealii::DataOutBase::write_vtu(patches, component_names, vectors, flags, out);
+  dealii::DataOutBase::write_vtu(patches, component_names, ranges, flags, out);
   return out.str();
 }
 } // namespace
@@ -91,7 +101,7 @@ void write_vtu(const std::filesystem::path &path, const SurfaceSample &sample)
 {
   PELLICLE_ASSERT(sample.degree >= 1, "cells of degree 1 or more");
   PELLICLE_ASSERT(sample.points.size() == 3 * sample.n_points(), "three coordinates for every point");
-  write_whole_file(path, vtu_text(sample));
+  write_whole_file(path, sample.dimension == 3 ? vtu_text<3>(sample) : vtu_text<2>(sample));
 }
 
 SolutionFiles::SolutionFiles(std::filesystem::path output_directory)
@@ -99,17 +109,28 @@ SolutionFiles::SolutionFiles(std::filesystem::path output_directory)
 {
 }
 
-std::filesystem::path SolutionFiles::write(const SurfaceSample &sample, const int step, const double time)
+std::filesystem::path SolutionFiles::write(const SurfaceSample &sample, const int step, const double time,
+                                           const std::vector<NamedSample> &bodies)
 {
-  std::ostringstream name;
-  name << "solution_" << std::setw(4) << std::setfill('0') << step << ".vtu";
-  const std::filesystem::path path = directory / name.str();
-  write_vtu(path, sample);
+  const auto write_part = [&](const std::string &part_name, const SurfaceSample &part, const std::size_t number)
+  {
+    std::ostringstream name;
+    name << part_name << '_' << std::setw(4) << std::setfill('0') << step << ".vtu";
+    write_vtu(directory / name.str(), part);
+    parts.push_back({time, number, name.str()});
+    return directory / name.str();
+  };
+  const std::filesystem::path path = write_part("solution", sample, 0);
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    write_part(bodies[b].name, bodies[b].sample, b + 1);
 
-  times_and_names.emplace_back(time, name.str());
   std::ostringstream index;
-  index << std::setprecision(16);
-  dealii::DataOutBase::write_pvd_record(index, times_and_names);
+  index << std::setprecision(16) << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+        << "byte_order=\"LittleEndian\">\n  <Collection>\n";
+  for (const Part &part : parts)
+    index << "    <DataSet timestep=\"" << part.time << "\" group=\"\" part=\"" << part.number << "\" file=\""
+          << part.file << "\"/>\n";
+  index << "  </Collection>\n</VTKFile>\n";
   write_whole_file(directory / "solution.pvd", index.str());
   return path;
 }

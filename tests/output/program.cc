@@ -50,7 +50,7 @@ TEST(RunProgram, TakesNoPartInAnMpiJob)
 
 TEST(RenderPicture, FindsItsScript)
 {
-  const auto script = find_render_script();
+  const auto script = find_render_script("render_section.py");
   ASSERT_TRUE(script);
-  EXPECT_EQ(script->filename(), "render_surface.py");
+  EXPECT_EQ(script->filename(), "render_section.py");
 }

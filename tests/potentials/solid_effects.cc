@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -157,6 +158,28 @@ TEST(BodyPressure, HandWrittenDerivativesAreTheAutomaticOnes)
   compare_with_automatic(LinearVolumeLaw{0.3});
   compare_with_automatic(LogarithmicVolumeLaw{0.3});
   compare_with_automatic(QuadraticVolumeLaw{0.3});
+}
+
+// A line that sticks costs nothing extra: no field "material position".
+TEST(SolidEffect, FreeLinesMakeTheReferenceAField)
+{
+  for (const double nu : {0.3, 0.5})
+    for (const bool is_free : {false, true})
+    {
+      SceneTargets targets            = soft_targets(1.7, nu);
+      targets.substrate->line_is_free = is_free;
+      const PotentialSet set          = contribution("logarithmic", targets);
+      ASSERT_EQ(set.energies.size(), nu == 0.5 ? 2u : 1u);
+      for (const auto &energy : set.energies)
+      {
+        const std::vector<FieldUse> fields = energy->fields();
+        EXPECT_EQ(fields[0].name, "position");
+        EXPECT_EQ(std::count_if(fields.begin(), fields.end(),
+                                [](const FieldUse &use) { return use.name == "material position"; }),
+                  is_free ? 1 : 0);
+        EXPECT_FALSE(energy->reparametrisation_invariant());
+      }
+    }
 }
 
 TEST(SolidEffect, PressureNodesFromThePoissonRatioOn)

@@ -52,8 +52,8 @@ struct Numbering
       return;
     const NodalChart::Node &own = chart.nodes[node];
     for (unsigned int a = 0; a < own.count; ++a)
-      visit(first_of(field, node) + a, Vector3<double>(own.columns[3 * a], own.columns[3 * a + 1], own.columns[3 * a + 2]),
-            own.mesh_equation[a]);
+      visit(first_of(field, node) + a,
+            Vector3<double>(own.columns[3 * a], own.columns[3 * a + 1], own.columns[3 * a + 2]), own.mesh_equation[a]);
     if (chart.carriers.empty())
       return;
     for (const NodalChart::Carrier &carrier : chart.carriers[node])
@@ -159,10 +159,10 @@ private:
   std::vector<int> scatter;                     ///< positions in sparse.values; -1: not stored (upper triangle)
   std::vector<int> diagonal;                    ///< position of each diagonal entry
   std::set<std::vector<std::size_t>> couplings; ///< nodes of elements for which there is room
-  std::vector<int> cell_list;                 ///< unknowns of one cell, each once
-  std::vector<CellColumn> cell_columns;       ///< its Z, node after node, field after field
-  std::vector<std::size_t> first_cell_column; ///< [i * n_fields + f]
-  std::vector<int> place_in_list;             ///< of each unknown; -1: not in it
+  std::vector<int> cell_list;                   ///< unknowns of one cell, each once
+  std::vector<CellColumn> cell_columns;         ///< its Z, node after node, field after field
+  std::vector<std::size_t> first_cell_column;   ///< [i * n_fields + f]
+  std::vector<int> place_in_list;               ///< of each unknown; -1: not in it
   std::vector<double> projected, row_times_Z;
 };
 } // namespace pellicle

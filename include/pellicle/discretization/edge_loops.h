@@ -19,7 +19,8 @@ EdgeLoop circle_loop(const SurfaceDiscretization &meridian, const std::string &n
 std::vector<EdgeLoop> find_rims(const SurfaceDiscretization &surface,
                                 const std::function<std::string(const Vector3<double> &)> &name);
 
-/** The lines around the region of the given number (see cell_region) where other cells continue it; is_rim = false. */
+/** The lines around the region of the given number (see cell_region) where other cells continue it; is_rim = false. A
+ * line that ends on a mirror plane is not closed: it begins at its first node. */
 std::vector<EdgeLoop> find_region_boundary(const SurfaceDiscretization &surface, unsigned int region,
                                            const std::string &name);
 

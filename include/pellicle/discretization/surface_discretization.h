@@ -66,15 +66,15 @@ struct CellSide
 };
 
 /**
- * A closed line made of edges of cells: a rim at which an open surface ends, or the line around a region. It runs so
- * that the surface (the region) lies on its left seen from outside: nu = t x n, the conormal, points out of it.
+ * A closed line made of edges of cells: a rim at which an open surface ends, or the line around a region (not closed
+ * where a mirror plane cuts it). It runs so that the surface (the region) lies on its left seen from outside: nu = t x n, the conormal, points out of it.
  */
 struct EdgeLoop
 {
-  std::string name;           ///< "rim", "ring", "tip", "domain boundary"
-  bool is_rim         = true; ///< the surface ends here; else it goes on
-  bool is_junction = false; ///< three sheets of the surface meet here, regions of it; the loop is on the first one
-  std::size_t n_cells = 0;    ///< one-dimensional ones; a meridian has one, a point
+  std::string name;            ///< "rim", "ring", "tip", "domain boundary"
+  bool is_rim         = true;  ///< the surface ends here; else it goes on
+  bool is_junction    = false; ///< three sheets of the surface meet here, regions of it; the loop is on the first one
+  std::size_t n_cells = 0;     ///< one-dimensional ones; a meridian has one, a point
   /** Nodes of edge c along the line: cell_nodes[c * tables.n_nodes + i], nodes of the surface. */
   std::vector<std::size_t> cell_nodes;
   std::vector<CellSide> sides; ///< of the surface's cell on the left of edge c

@@ -57,6 +57,22 @@ inline Matrix3 cross_matrix(const Vector3<double> &a)
   return {{{0., -a[2], a[1], a[2], 0., -a[0], -a[1], a[0], 0.}}};
 }
 
+/** m^T. */
+inline Matrix3 transposed(const Matrix3 &m)
+{
+  return {{{m(0, 0), m(1, 0), m(2, 0), m(0, 1), m(1, 1), m(2, 1), m(0, 2), m(1, 2), m(2, 2)}}};
+}
+
+/** m n. */
+inline Matrix3 operator*(const Matrix3 &m, const Matrix3 &n)
+{
+  Matrix3 result;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      result(i, j) = m(i, 0) * n(0, j) + m(i, 1) * n(1, j) + m(i, 2) * n(2, j);
+  return result;
+}
+
 /** m b. */
 inline Vector3<double> operator*(const Matrix3 &m, const Vector3<double> &b)
 {

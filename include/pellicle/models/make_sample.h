@@ -25,7 +25,7 @@ constexpr unsigned int default_n_azimuth = 16;
  *
  * A meridian is revolved: each of its cells becomes `n_azimuth` cells whose points lie exactly on circles about the
  * axis, all cells oriented outwards. Vectors turn with the azimuth. With a mirror plane the lower half is added;
- * scalars are even in z, vectors are reflected.
+ * scalars are even in z, vectors are reflected. A surface with regions gets the field `region`, their numbers.
  */
 SurfaceSample make_sample(const SurfaceDiscretization &discretization, const NodalVectors &positions,
                           const std::vector<SampledNodalField> &fields, unsigned int n_azimuth = default_n_azimuth);

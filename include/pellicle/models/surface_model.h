@@ -84,6 +84,8 @@ public:
   std::vector<NamedQuantity> forces() const;
   /** The surface with its fields, in the user's units. */
   SurfaceSample sample() const;
+  /** Bodies that are solved for, with their fields, in the user's units (see sample_body()). */
+  std::vector<NamedSample> body_samples() const;
   /** Bodies beside the surface, in the user's units; without cells if there are none. */
   SurfaceSample surroundings() const { return own_surroundings ? own_surroundings(*this) : SurfaceSample(); }
 

@@ -159,7 +159,7 @@ private:
   void renew_gauge();
 
   std::shared_ptr<PairTerms> pair_terms;
-  std::vector<bool> material; ///< nodes that are free in every chart
+  std::vector<bool> material;                                   ///< nodes that are free in every chart
   std::vector<std::vector<NodalChart::Carrier>> sheet_carriers; ///< in the graph chart of a surface with junctions
 
   PositionChart chart   = PositionChart::graph;

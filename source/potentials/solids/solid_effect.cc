@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/potentials/solids/body_pressure.h>
+#include <pellicle/potentials/solids/moving_reference.h>
 #include <pellicle/potentials/solids/solid_effect.h>
 #include <pellicle/potentials/solids/volume_laws.h>
 
@@ -9,13 +10,17 @@ namespace
 {
 using Terms = std::vector<std::shared_ptr<const Potential>>;
 
-/** One density of the substrate on its reference. */
+/** One density of the substrate on its reference, which moves where the contact line does. */
 template <typename BodyDensity>
 void add_term(const std::string &name, const BodyDensity &density, const RidgeTargets &substrate, Terms &terms)
 {
-  terms.push_back(std::make_shared<DensityPotential<OnGivenReference<BodyDensity>>>(
-      name, OnGivenReference<BodyDensity>{density, substrate.bulk_reference},
-      Where{Where::Part::bulk, substrate_body}));
+  const Where body{Where::Part::bulk, substrate_body};
+  if (substrate.line_is_free)
+    terms.push_back(std::make_shared<DensityPotential<OnMovingReference<BodyDensity>>>(
+        name, OnMovingReference<BodyDensity>{density}, body));
+  else
+    terms.push_back(std::make_shared<DensityPotential<OnGivenReference<BodyDensity>>>(
+        name, OnGivenReference<BodyDensity>{density, substrate.bulk_reference}, body));
 }
 
 /** lambda of small strains; infinite for nu = 1/2. */
