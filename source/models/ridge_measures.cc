@@ -121,9 +121,8 @@ std::vector<NamedQuantity> measure_ridge(const SurfaceModel &model)
   };
   const Regions regions = measure_regions(surface, positions);
   report("volume", regions.volume, dimensions::volume);
-  report("apex_height",
-         largest_value(CellGeometry(surface, positions), {{0., 0., 1.}, Vector3<double>(), Vector3<double>()}),
-         dimensions::length);
+  const double apex =
+      largest_value(CellGeometry(surface, positions), {{0., 0., 1.}, Vector3<double>(), Vector3<double>()});
   report("liquid_gas_area", regions.area[0], dimensions::area);
   report("solid_liquid_area", regions.area[1], dimensions::area);
   report("solid_gas_area", regions.area[2], dimensions::area);
@@ -171,6 +170,8 @@ std::vector<NamedQuantity> measure_ridge(const SurfaceModel &model)
     report(name + "_min", values.smallest, dimension);
     report(name + "_max", values.largest, dimension);
   };
+  report("apex_height", apex - height.mean(), dimensions::length);
+  report("apex_elevation", apex, dimensions::length);
   report_along("ridge_height", height, dimensions::length);
   report_along("ridge_radius", radius, dimensions::length);
   report_along("contact_line_material_radius", material_radius, dimensions::length);

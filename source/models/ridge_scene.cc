@@ -3,9 +3,12 @@
 #include <pellicle/base/constants.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/discretization/bodies.h>
+#include <pellicle/discretization/line_shift.h>
 #include <pellicle/discretization/ridge_mesh.h>
 #include <pellicle/models/ridge_measures.h>
 #include <pellicle/models/ridge_scene.h>
+#include <pellicle/potentials/solids/moving_reference.h>
+#include <pellicle/potentials/solids/solid_effect.h>
 
 #include <cmath>
 
@@ -18,6 +21,27 @@ constexpr double degree = pi / 180.;
 const BulkPart &substrate_of(const SurfaceDiscretization &mesh)
 {
   return mesh.bulks.front();
+}
+
+/** One number for each node of the line; the nodes of its meridian plane follow. */
+FieldConditions shift_of_material(const SurfaceDiscretization &mesh)
+{
+  const LineShift shift = line_shift(mesh);
+  FieldConditions conditions;
+  conditions.leader = shift.leader;
+  conditions.only.resize(mesh.n_nodes);
+  for (std::size_t I = 0; I < mesh.n_nodes; ++I)
+  {
+    const double w = shift.weight[I];
+    if (w == 0.)
+      continue;
+    AdmissibleDirections along;
+    along.count   = 1;
+    along.columns = {
+        {{{w * shift.direction[3 * I], w * shift.direction[3 * I + 1], w * shift.direction[3 * I + 2]}}, {}, {}}};
+    conditions.only[I] = along;
+  }
+  return conditions;
 }
 
 /** Unit normal of a lateral face at one of its nodes. */
@@ -190,15 +214,21 @@ SurfaceDiscretization RidgeScene::start_mesh() const
 {
   const double per_refinement = std::pow(2., 2 - mesh.refinements);
   RidgeShape shape;
-  shape.ring_radius          = line.radius;
-  shape.cap_volume           = droplet.volume;
-  shape.half_width           = substrate.half_width;
-  shape.thickness            = substrate.thickness;
-  shape.cell_size            = line.cell_size;
-  shape.growth               = 1. + 0.5 * per_refinement;
-  shape.coarsest             = std::min(0.5, 0.25 * per_refinement);
-  shape.degree               = static_cast<unsigned int>(mesh.degree);
-  SurfaceDiscretization made = axial_ridge(shape);
+  shape.ring_radius = line.radius;
+  shape.cap_volume  = droplet.volume;
+  shape.half_width  = substrate.half_width;
+  shape.thickness   = substrate.thickness;
+  shape.cell_size   = line.cell_size;
+  shape.growth      = 1. + 0.5 * per_refinement;
+  shape.coarsest    = std::min(0.5, 0.25 * per_refinement);
+  shape.degree      = static_cast<unsigned int>(mesh.degree);
+  RidgePlanShape plan;
+  plan.outline  = substrate.shape == "block" ? RidgePlanShape::Outline::block : RidgePlanShape::Outline::cylinder;
+  plan.n_around = static_cast<unsigned int>(substrate.azimuthal_cells);
+  plan.half     = substrate.part == "half";
+  SurfaceDiscretization made = is_axial() ? axial_ridge(shape) : ridge_in_space(shape, plan);
+  if (SolidEffect::uses_pressure(substrate.poisson))
+    add_pressure_nodes(made, 0);
   if (substrate.bottom == "sliding")
     keep_on_plane(made, substrate_of(made).faces.at("bottom"), {0., 0., 1.});
   if (substrate.lateral == "sliding")
@@ -215,6 +245,8 @@ NodalConditions RidgeScene::conditions(const SurfaceDiscretization &surface, con
     hold_nodes(conditions, "position", faces.at("bottom"), surface.n_nodes);
   if (substrate.lateral == "clamped")
     hold_nodes(conditions, "position", faces.at("side"), surface.n_nodes);
+  if (line_is_free())
+    conditions[material_position] = shift_of_material(surface);
   return conditions;
 }
 

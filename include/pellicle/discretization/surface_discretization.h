@@ -67,7 +67,8 @@ struct CellSide
 
 /**
  * A closed line made of edges of cells: a rim at which an open surface ends, or the line around a region (not closed
- * where a mirror plane cuts it). It runs so that the surface (the region) lies on its left seen from outside: nu = t x n, the conormal, points out of it.
+ * where a mirror plane cuts it). It runs so that the surface (the region) lies on its left seen from outside: nu = t x
+ * n, the conormal, points out of it.
  */
 struct EdgeLoop
 {

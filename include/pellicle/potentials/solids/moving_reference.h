@@ -19,7 +19,7 @@ constexpr std::array<FieldUse, n + 1> with_material_position(const std::array<Fi
 {
   std::array<FieldUse, n + 1> all{};
   all[0] = fields[0];
-  all[1] = {material_position, fields[0].derivatives, FieldRole::independent};
+  all[1] = {material_position, fields[0].derivatives, FieldRole::independent, FieldSpace::material_places};
   for (std::size_t f = 1; f < n; ++f)
     all[f + 1] = fields[f];
   return all;
