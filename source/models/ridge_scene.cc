@@ -5,6 +5,7 @@
 #include <pellicle/discretization/bodies.h>
 #include <pellicle/discretization/line_shift.h>
 #include <pellicle/discretization/ridge_mesh.h>
+#include <pellicle/models/material_line_pinning.h>
 #include <pellicle/models/ridge_measures.h>
 #include <pellicle/models/ridge_scene.h>
 #include <pellicle/potentials/solids/moving_reference.h>
@@ -148,8 +149,9 @@ void RidgeScene::check() const
 
 bool RidgeScene::is_fixed(const std::string &parameter) const
 {
-  for (const char *section : {"Contact line/", "Substrate/Shape", "Substrate/Half width", "Substrate/Thickness",
-                              "Substrate/Lateral faces", "Substrate/Bottom", "Substrate/Part", "Substrate/Azimuthal"})
+  for (const char *section :
+       {"Contact line/", "Substrate/Shape", "Substrate/Half width", "Substrate/Thickness", "Substrate/Lateral faces",
+        "Substrate/Bottom", "Substrate/Part", "Substrate/Azimuthal", "Free contact line/"})
     if (parameter.rfind(section, 0) == 0)
       return true;
   return SurfaceScene::is_fixed(parameter);
@@ -247,6 +249,16 @@ NodalConditions RidgeScene::conditions(const SurfaceDiscretization &surface, con
   if (line_is_free())
     conditions[material_position] = shift_of_material(surface);
   return conditions;
+}
+
+std::vector<std::unique_ptr<ActiveSet>> RidgeScene::active_sets(const SurfaceDiscretization &surface,
+                                                                const SceneTargets &targets) const
+{
+  std::vector<std::unique_ptr<ActiveSet>> list;
+  const LineThresholds &thresholds = targets.soft_substrate().thresholds;
+  if (line_is_free() && (thresholds.advancing > 0. || thresholds.receding > 0.))
+    list.push_back(std::make_unique<MaterialLinePinning>(surface, targets));
+  return list;
 }
 
 SurfaceMeasures RidgeScene::measures(const Scales & /*scales*/) const
