@@ -142,9 +142,6 @@ void RidgeScene::check() const
   if (!has_effect("volume constraint") && !has_effect("pressure"))
     throw UserError("The list Effects has neither 'volume constraint' nor 'pressure': nothing keeps the drop from "
                     "shrinking to a point. Add one of them.");
-  if (has_effect("free contact line") && !line_is_free())
-    throw UserError("The effect 'free contact line' is listed, but Contact line/Motion = pinned: set it to free, or "
-                    "remove the effect.");
   start_mesh();
   SurfaceScene::check();
 }
