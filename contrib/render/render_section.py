@@ -14,8 +14,8 @@ import math
 import os
 import sys
 
-from render_surface import (INK, WIDTH, HEIGHT, CannotDraw, all_closed, box_of, colour_bar, colour_map, colour_range, coloured_actor,
-                            grey_actor, text, write_picture)
+from render_surface import (INK, WIDTH, HEIGHT, CannotDraw, all_closed, box_of, colour_bar, colour_map, colour_range, coloured_actor, fill_view,
+                            grey_actor, text, view_aspect, write_picture)
 
 try:
     from vtkmodules.vtkCommonCore import reference, vtkDoubleArray, vtkPoints
@@ -195,10 +195,6 @@ def line_through(points):
     return data
 
 
-def aspect_of(view):
-    return (view[2] - view[0]) * WIDTH / ((view[3] - view[1]) * HEIGHT)
-
-
 class Section:
     """All that the views in section show."""
 
@@ -260,7 +256,7 @@ class Section:
             renderer.AddActor(flat_actor(liquid, LIQUID))
         renderer.AddActor(filling)
         renderer.AddActor(flat_actor(self.lines, MESH_LINE, 1.0, 0.30, layer))
-        dashes, step = [], 0.012 * 2 * half_height * aspect_of(place)
+        dashes, step = [], 0.012 * 2 * half_height * view_aspect(place)
         for i in range(-60, 60):
             x = centre[0] + i * step
             if abs(x) < self.size / 2:
@@ -314,10 +310,11 @@ def space_view(section, body, colours, shows_heights):
     renderer = vtkRenderer()
     renderer.SetViewport(*SPACE_VIEW)
     renderer.SetBackground(1, 1, 1)
-    parts = []
-    is_solid = body.GetCellType(0) == VTK_LAGRANGE_HEXAHEDRON
-    if is_solid:
-        parts.append(coloured_actor(smooth(facets(body, 1)), colours))
+    parts, shown = [], section.regions
+    if body.GetCellType(0) == VTK_LAGRANGE_HEXAHEDRON:
+        outside = facets(body, 2)
+        parts.append(coloured_actor(smooth(outside), colours))
+        shown = shown + [outside]
     else:
         for skin in section.regions[WETTED:]:
             parts.append(coloured_actor(smooth(with_heights(skin, section.undeformed_top)), colours) if shows_heights
@@ -334,19 +331,13 @@ def space_view(section, body, colours, shows_heights):
 
     camera = renderer.GetActiveCamera()
     elevation, azimuth = math.radians(24), math.radians(-62)
-    bounds = vtkAppendPolyData()
-    for shown in section.regions + ([section.body] if is_solid else []):
-        bounds.AddInputData(shown)
-    bounds.Update()
-    centre, size = box_of(bounds.GetOutput())
     direction = (math.cos(elevation) * math.cos(azimuth), math.cos(elevation) * math.sin(azimuth), math.sin(elevation))
-    camera.SetFocalPoint(*centre)
-    camera.SetPosition(*(c + 6 * max(size) * d for c, d in zip(centre, direction)))
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetPosition(*direction)
     camera.SetViewUp(0, 0, 1)
     camera.SetViewAngle(22)
     renderer.ResetCamera()
-    camera.Zoom(1.6 if is_solid else 1.9)
-    renderer.ResetCameraClippingRange()
+    fill_view(renderer, shown, SPACE_VIEW)
     renderer.AutomaticLightCreationOff()
     for position, strength in (((-0.9, 1.3, 1.4), 0.80), ((1.6, 0.2, 1.0), 0.30), ((-0.4, -1.4, 0.6), 0.15)):
         light = vtkLight()
@@ -375,16 +366,16 @@ def draw(surface, body, field, title):
     boxes = [data.GetBounds() for data in (section.body, section.cap)]
     bottom, top = min(b[4] for b in boxes), max(b[5] for b in boxes)
     left, right = min(b[0] for b in boxes), max(b[1] for b in boxes)
-    half_height = max((top - bottom) / 2, (right - left) / 2 / aspect_of(MAIN_VIEW)) / 0.95
+    half_height = max((top - bottom) / 2, (right - left) / 2 / view_aspect(MAIN_VIEW)) / 0.95
     whole = section.view(MAIN_VIEW, colours, ((left + right) / 2, (bottom + top) / 2), half_height, 4)
 
     # The line in the middle of a window in which the ridge fills a quarter of the height.
     x, _, z = section.contact_point()
     zoom = min(max(2 * abs(z - section.undeformed_top), 0.01 * (right - left)), 0.08 * (right - left))
     near = section.view(ZOOM_VIEW, colours, (x, z), zoom, 5)
-    frame = flat_actor(rectangle((x, z), zoom * aspect_of(ZOOM_VIEW), zoom), INK, 1.5, 0.8, 8e-3 * section.size)
+    frame = flat_actor(rectangle((x, z), zoom * view_aspect(ZOOM_VIEW), zoom), INK, 1.5, 0.8, 8e-3 * section.size)
     whole.AddActor(frame)
-    border = flat_actor(rectangle((x, z), 0.998 * zoom * aspect_of(ZOOM_VIEW), 0.996 * zoom), INK, 1.5, 0.8, 8e-3 * section.size)
+    border = flat_actor(rectangle((x, z), 0.998 * zoom * view_aspect(ZOOM_VIEW), 0.996 * zoom), INK, 1.5, 0.8, 8e-3 * section.size)
     near.AddActor(border)
     for view in (whole, near, space_view(section, body, colours, field == "displacement:2")):
         window.AddRenderer(view)
