@@ -117,12 +117,7 @@ std::size_t LinePinning::update(const SurfaceProblem &problem)
 
 std::string LinePinning::about_failure() const
 {
-  const Counts now = counts();
-  if (!is_pulled_along() || settling || now.advancing + now.receding == 0)
-    return "";
-  return "the contact line has depinned and the drop slides: of " + std::to_string(nodes.size()) +
-         " nodes of the line " + std::to_string(now.advancing) + " advance and " + std::to_string(now.receding) +
-         " recede, and no equilibrium was found";
+  return settling || !is_pulled_along() ? "" : slip.about_sliding();
 }
 
 double LinePinning::cosine(const SlipStatus status) const

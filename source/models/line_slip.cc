@@ -116,4 +116,14 @@ LineSlip::Counts LineSlip::counts() const
                                               : counts.receding);
   return counts;
 }
+
+std::string LineSlip::about_sliding() const
+{
+  const Counts now = counts();
+  if (now.advancing + now.receding == 0)
+    return "";
+  return "the contact line has depinned and the drop slides: of " + std::to_string(nodes.size()) +
+         " nodes of the line " + std::to_string(now.advancing) + " advance and " + std::to_string(now.receding) +
+         " recede, and no equilibrium was found";
+}
 } // namespace pellicle

@@ -32,8 +32,10 @@ const std::string &MaterialLinePinning::name() const
 
 void MaterialLinePinning::take(const SceneTargets &targets)
 {
-  thresholds = targets.soft_substrate().thresholds;
-  tolerance  = force_tolerance * targets.drop().surface_tension;
+  const DropletTargets &drop = targets.drop();
+  thresholds                 = targets.soft_substrate().thresholds;
+  tolerance                  = force_tolerance * drop.surface_tension;
+  is_pulled_along            = drop.body_force[0] != 0. || drop.body_force[1] != 0.;
 }
 
 void MaterialLinePinning::begin_step(const SurfaceProblem &problem)
@@ -93,6 +95,11 @@ std::size_t MaterialLinePinning::update(const SurfaceProblem &problem)
   if (changes == 0)
     last_equilibrium = X;
   return changes;
+}
+
+std::string MaterialLinePinning::about_failure() const
+{
+  return is_pulled_along ? slip.about_sliding() : "";
 }
 
 void MaterialLinePinning::set_friction()

@@ -10,6 +10,7 @@
 #include <pellicle/models/ridge_scene.h>
 #include <pellicle/potentials/solids/moving_reference.h>
 #include <pellicle/potentials/solids/solid_effect.h>
+#include <pellicle/potentials/wetting/free_contact_line.h>
 
 #include <cmath>
 
@@ -156,8 +157,19 @@ void RidgeScene::check() const
   if (!has_effect("volume constraint") && !has_effect("pressure"))
     throw UserError("The list Effects has neither 'volume constraint' nor 'pressure': nothing keeps the drop from "
                     "shrinking to a point. Add one of them.");
+  if (line_sticks() && !branch.parameter.empty())
+    throw UserError("Continuation/Parameter = " + branch.parameter +
+                    " with thresholds of 'free contact line' is not possible: what the line has dissipated does not "
+                    "come back along a branch. Use section Load, or set both thresholds to 0.");
   start_mesh();
   SurfaceScene::check();
+}
+
+bool RidgeScene::line_sticks() const
+{
+  const auto *effect = find<FreeContactLineEffect>();
+  return line_is_free() && effect != nullptr &&
+         (effect->parameters.advancing_threshold > 0. || effect->parameters.receding_threshold > 0.);
 }
 
 bool RidgeScene::is_fixed(const std::string &parameter) const
@@ -270,8 +282,7 @@ std::vector<std::unique_ptr<ActiveSet>> RidgeScene::active_sets(const SurfaceDis
                                                                 const SceneTargets &targets) const
 {
   std::vector<std::unique_ptr<ActiveSet>> list;
-  const LineThresholds &thresholds = targets.soft_substrate().thresholds;
-  if (line_is_free() && (thresholds.advancing > 0. || thresholds.receding > 0.))
+  if (line_sticks())
     list.push_back(std::make_unique<MaterialLinePinning>(surface, targets));
   return list;
 }

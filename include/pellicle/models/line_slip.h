@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace pellicle
@@ -64,6 +65,8 @@ public:
     std::size_t stuck = 0, advancing = 0, receding = 0;
   };
   Counts counts() const;
+  /** Of a pulled line for which no equilibrium was found: that the drop slides, if nodes slip; else empty. */
+  std::string about_sliding() const;
 
 private:
   struct Node

@@ -37,6 +37,7 @@ public:
   void place(FieldValues &fields) const override;
   void add_potentials(PotentialSet &set) const override;
   std::size_t update(const SurfaceProblem &problem) override;
+  std::string about_failure() const override;
 
   LineSlip::Counts counts() const { return slip.counts(); }
 
@@ -48,7 +49,8 @@ private:
   const EdgeLoop &line;
   LineShift shift;
   LineThresholds thresholds;
-  double tolerance = 0.; ///< of forces per length
+  double tolerance     = 0.;    ///< of forces per length
+  bool is_pulled_along = false; ///< gravity acts along the undeformed top
   LineSlip slip;
   std::size_t field = 0; ///< index of "material position"
   NodalVectors start;    ///< material points at the beginning of the load step

@@ -95,5 +95,7 @@ protected:
 private:
   bool is_axial() const { return mesh.symmetry == "axial"; }
   bool line_is_free() const { return line.motion == "free"; }
+  /** Whether a free line has a threshold. */
+  bool line_sticks() const;
 };
 } // namespace pellicle
