@@ -28,6 +28,12 @@ void LineSlip::begin_step(std::vector<double> areas, const bool keeps_last_step)
   note_statuses();
 }
 
+void LineSlip::forget_statuses()
+{
+  for (auto &[I, node] : nodes)
+    node.settled = SlipStatus::stuck;
+}
+
 // Where a node that wants to slip goes the other way once it may, the line is unstable: nothing is gained by going on.
 void LineSlip::note_statuses()
 {

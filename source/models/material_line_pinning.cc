@@ -42,6 +42,9 @@ void MaterialLinePinning::begin_step(const SurfaceProblem &problem)
 {
   field = problem.layout().index(material_position);
   start = problem.state().fields[field];
+  // A drop that advances everywhere would slide under the least force along the substrate.
+  if (is_pulled_along)
+    slip.forget_statuses();
   slip.begin_step(areas(start), start == last_equilibrium);
   set_friction();
 }

@@ -36,6 +36,9 @@ public:
    */
   void begin_step(std::vector<double> areas, bool keeps_last_step);
 
+  /** Lets the next load step begin with nodes that all stick. */
+  void forget_statuses();
+
   SlipStatus of_node(std::size_t node) const { return nodes.at(node).status; }
 
   /** A node that wants to slip, and by how much its force is beyond the threshold. */
