@@ -14,8 +14,8 @@ import math
 import os
 import sys
 
-from render_surface import (INK, STONE, WIDTH, HEIGHT, CannotDraw, all_closed, box_of, colour_bar, colour_map, colour_range, coloured_actor,
-                            grey_actor, text, write_picture)
+from render_surface import (INK, WIDTH, HEIGHT, CannotDraw, all_closed, box_of, colour_bar, colour_map, colour_range, coloured_actor, fill_view,
+                            grey_actor, text, view_aspect, write_picture)
 
 try:
     from vtkmodules.vtkCommonCore import reference, vtkDoubleArray, vtkPoints
@@ -145,7 +145,7 @@ def region_facets(surface, region):
     part.SetUpperThreshold(region + 0.5)
     part.SetThresholdFunction(vtkThreshold.THRESHOLD_BETWEEN)
     part.Update()
-    return facets(part.GetOutput(), 3) if part.GetOutput().GetNumberOfCells() > 0 else None
+    return facets(part.GetOutput(), 2) if part.GetOutput().GetNumberOfCells() > 0 else None
 
 
 def cut(data):
@@ -195,26 +195,22 @@ def line_through(points):
     return data
 
 
-def aspect_of(view):
-    return (view[2] - view[0]) * WIDTH / ((view[3] - view[1]) * HEIGHT)
-
-
 class Section:
     """All that the views in section show."""
 
-    def __init__(self, surface, body):
+    def __init__(self, surface, body, is_bounded):
         quadrilaterals = section_cells(body)
         self.is_half = quadrilaterals is body
         self.body, self.lines = facets(quadrilaterals, 2), mesh_lines(quadrilaterals)
-        # The colours leave out what is far from all others: values at the line grow without bound.
-        self.range = colour_range(self.body, "shown")
+        # Displacements are bounded; of other fields the colours leave out what grows without bound at the line.
+        shown = self.body.GetPointData().GetArray("shown")
+        self.range = shown.GetRange() if is_bounded and shown.GetRange()[0] < shown.GetRange()[1] else colour_range(self.body, "shown")
         if self.is_half:
             self.body, self.lines = with_mirror_image(self.body), with_mirror_image(self.lines)
-        regions = [region_facets(surface, r) for r in (CAP, WETTED, DRY)]
-        if regions[CAP] is None or regions[WETTED] is None:
-            raise CannotDraw("the surface has no field 'region' with a drop and its base.")
-        self.cap, self.base = cut(regions[CAP]), cut(regions[WETTED])
-        self.dry = cut(regions[DRY]) if regions[DRY] is not None else vtkPolyData()
+        self.regions = [region_facets(surface, r) for r in (CAP, WETTED, DRY)]
+        if None in self.regions:
+            raise CannotDraw("the surface has no field 'region' with a drop, its base and the dry top of the body.")
+        self.cap, self.base, self.dry = (cut(region) for region in self.regions)
         material = body.GetPointData().GetArray("material_position")
         self.undeformed_top = max(material.GetTuple(i)[2] for i in range(material.GetNumberOfTuples()))
         self.size = box_of(self.body)[1][0]
@@ -260,7 +256,7 @@ class Section:
             renderer.AddActor(flat_actor(liquid, LIQUID))
         renderer.AddActor(filling)
         renderer.AddActor(flat_actor(self.lines, MESH_LINE, 1.0, 0.30, layer))
-        dashes, step = [], 0.012 * 2 * half_height * aspect_of(place)
+        dashes, step = [], 0.012 * 2 * half_height * view_aspect(place)
         for i in range(-60, 60):
             x = centre[0] + i * step
             if abs(x) < self.size / 2:
@@ -268,8 +264,7 @@ class Section:
         for dash in dashes:
             renderer.AddActor(dash)
         for line in (self.dry, self.base):
-            if line.GetNumberOfPoints() > 0:
-                renderer.AddActor(flat_actor(line, INK, 0.7 * line_width, 1.0, 3 * layer))
+            renderer.AddActor(flat_actor(line, INK, 0.7 * line_width, 1.0, 3 * layer))
         renderer.AddActor(flat_actor(self.cap, DROP_LINE, line_width, 1.0, 4 * layer))
 
         camera = renderer.GetActiveCamera()
@@ -287,55 +282,62 @@ def rectangle(centre, half_width, half_height):
     return line_through([(x - w, 0, z - h), (x + w, 0, z - h), (x + w, 0, z + h), (x - w, 0, z + h), (x - w, 0, z - h)])
 
 
-def space_view(surface, body, colours):
+def with_heights(data, zero):
+    """The same with z over the undeformed top as the active scalar: the vertical displacement of a flat top."""
+    heights = vtkDoubleArray()
+    heights.SetName("shown")
+    for i in range(data.GetNumberOfPoints()):
+        heights.InsertNextValue(data.GetPoint(i)[2] - zero)
+    data.GetPointData().SetScalars(heights)
+    return data
+
+
+def smooth(data):
+    """With normals, and without creases between cells."""
+    joined = vtkCleanPolyData()
+    joined.SetInputData(data)
+    joined.ToleranceIsAbsoluteOn()
+    joined.SetAbsoluteTolerance(2e-6 * data.GetLength())
+    normals = vtkPolyDataNormals()
+    normals.SetInputConnection(joined.GetOutputPort())
+    normals.SetFeatureAngle(35)
+    normals.ConsistencyOff()
+    return normals
+
+
+def space_view(section, body, colours, shows_heights):
     """The drop on the body from above; what is not solved for by symmetry stays away."""
     renderer = vtkRenderer()
     renderer.SetViewport(*SPACE_VIEW)
     renderer.SetBackground(1, 1, 1)
-
-    def smooth(data):
-        joined = vtkCleanPolyData()
-        joined.SetInputData(data)
-        joined.ToleranceIsAbsoluteOn()
-        joined.SetAbsoluteTolerance(2e-6 * data.GetLength())
-        normals = vtkPolyDataNormals()
-        normals.SetInputConnection(joined.GetOutputPort())
-        normals.SetFeatureAngle(35)
-        normals.ConsistencyOff()
-        return normals
-
-    def add(data, actor_of):
-        actor = actor_of(smooth(data))
-        look = actor.GetProperty()
-        look.SetInterpolationToPhong()
-        look.SetAmbient(0.35)
-        look.SetDiffuse(0.75)
+    parts, shown = [], section.regions
+    if body.GetCellType(0) == VTK_LAGRANGE_HEXAHEDRON:
+        outside = facets(body, 2)
+        parts.append(coloured_actor(smooth(outside), colours))
+        shown = shown + [outside]
+    else:
+        for skin in section.regions[WETTED:]:
+            parts.append(coloured_actor(smooth(with_heights(skin, section.undeformed_top)), colours) if shows_heights
+                         else grey_actor(smooth(skin), 1))
+    drop = grey_actor(smooth(section.regions[CAP]), 0.5)
+    drop.GetProperty().SetColor(0.40, 0.64, 0.90)
+    drop.GetProperty().SetSpecular(0.4)
+    drop.GetProperty().SetSpecularPower(30)
+    for actor in parts + [drop]:
+        actor.GetProperty().SetInterpolationToPhong()
+        actor.GetProperty().SetAmbient(0.36)
+        actor.GetProperty().SetDiffuse(0.75)
         renderer.AddActor(actor)
-        return look
-
-    is_solid = body.GetCellType(0) == VTK_LAGRANGE_HEXAHEDRON
-    if is_solid:
-        add(facets(body, 1), lambda filter_: coloured_actor(filter_, colours))
-    for region in (CAP, WETTED, DRY):
-        part = region_facets(surface, region)
-        if part is None or (is_solid and region != CAP):
-            continue
-        look = add(part, lambda filter_, r=region: grey_actor(filter_, 0.55 if r == CAP else 1.0))
-        look.SetColor(*((0.45, 0.68, 0.90) if region == CAP else STONE))
-        look.SetSpecular(0.35 if region == CAP else 0.1)
-        look.SetSpecularPower(30)
 
     camera = renderer.GetActiveCamera()
     elevation, azimuth = math.radians(24), math.radians(-62)
-    centre, size = box_of(surface)
     direction = (math.cos(elevation) * math.cos(azimuth), math.cos(elevation) * math.sin(azimuth), math.sin(elevation))
-    camera.SetFocalPoint(*centre)
-    camera.SetPosition(*(c + 6 * max(size) * d for c, d in zip(centre, direction)))
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetPosition(*direction)
     camera.SetViewUp(0, 0, 1)
     camera.SetViewAngle(22)
     renderer.ResetCamera()
-    camera.Zoom(1.45)
-    renderer.ResetCameraClippingRange()
+    fill_view(renderer, shown, SPACE_VIEW)
     renderer.AutomaticLightCreationOff()
     for position, strength in (((-0.9, 1.3, 1.4), 0.80), ((1.6, 0.2, 1.0), 0.30), ((-0.4, -1.4, 0.6), 0.15)):
         light = vtkLight()
@@ -344,13 +346,12 @@ def space_view(surface, body, colours):
         light.SetFocalPoint(0, 0, 0)
         light.SetIntensity(strength)
         renderer.AddLight(light)
-    renderer.SetUseDepthPeeling(True)
     return renderer
 
 
 def draw(surface, body, field, title):
     component_of(body, field)
-    section = Section(surface, body)
+    section = Section(surface, body, field.startswith("displacement"))
     low, high = section.range
     colours = colour_map(low, high)
     window = vtkRenderWindow()
@@ -365,18 +366,18 @@ def draw(surface, body, field, title):
     boxes = [data.GetBounds() for data in (section.body, section.cap)]
     bottom, top = min(b[4] for b in boxes), max(b[5] for b in boxes)
     left, right = min(b[0] for b in boxes), max(b[1] for b in boxes)
-    half_height = max((top - bottom) / 2, (right - left) / 2 / aspect_of(MAIN_VIEW)) / 0.95
+    half_height = max((top - bottom) / 2, (right - left) / 2 / view_aspect(MAIN_VIEW)) / 0.95
     whole = section.view(MAIN_VIEW, colours, ((left + right) / 2, (bottom + top) / 2), half_height, 4)
 
     # The line in the middle of a window in which the ridge fills a quarter of the height.
     x, _, z = section.contact_point()
     zoom = min(max(2 * abs(z - section.undeformed_top), 0.01 * (right - left)), 0.08 * (right - left))
     near = section.view(ZOOM_VIEW, colours, (x, z), zoom, 5)
-    frame = flat_actor(rectangle((x, z), zoom * aspect_of(ZOOM_VIEW), zoom), INK, 1.5, 0.8, 8e-3 * section.size)
+    frame = flat_actor(rectangle((x, z), zoom * view_aspect(ZOOM_VIEW), zoom), INK, 1.5, 0.8, 8e-3 * section.size)
     whole.AddActor(frame)
-    border = flat_actor(rectangle((x, z), 0.998 * zoom * aspect_of(ZOOM_VIEW), 0.996 * zoom), INK, 1.5, 0.8, 8e-3 * section.size)
+    border = flat_actor(rectangle((x, z), 0.998 * zoom * view_aspect(ZOOM_VIEW), 0.996 * zoom), INK, 1.5, 0.8, 8e-3 * section.size)
     near.AddActor(border)
-    for view in (whole, near, space_view(surface, body, colours)):
+    for view in (whole, near, space_view(section, body, colours, field == "displacement:2")):
         window.AddRenderer(view)
 
     page = vtkRenderer()

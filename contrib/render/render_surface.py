@@ -252,10 +252,10 @@ def main_view(surface, colours, beside):
     return renderer
 
 
-def fill_view(renderer, surfaces):
+def fill_view(renderer, surfaces, view=MAIN_VIEW):
     """Moves the camera's window so that the surfaces, not their bounding sphere, fill the view."""
     camera = renderer.GetActiveCamera()
-    aspect = view_aspect(MAIN_VIEW)
+    aspect = view_aspect(view)
     matrix = camera.GetCompositeProjectionTransformMatrix(aspect, -1, 1)
     xs, ys = [], []
     for points in (surface.GetPoints() for surface in surfaces):

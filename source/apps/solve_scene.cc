@@ -102,6 +102,17 @@ public:
   }
 
 private:
+  /** As it was read last. */
+  const SurfaceScene &scene() const { return read_last ? *read_last : first; }
+
+  /** Another value of the leg's parameter. */
+  void go_to(const double value, const std::string &origin)
+  {
+    file.set(leg()->parameter, value, origin);
+    read_last = file.read();
+    model.update(scene());
+  }
+
   const Leg *leg() const { return here < legs.size() ? &legs[here] : nullptr; }
   bool has_stages() const { return !legs.empty() && legs[0].is_stage(); }
   bool has_equilibrium() const { return result.newton.steps > 0; }
@@ -140,15 +151,12 @@ private:
     if (t == 0. && (leg()->is_stage() || has_equilibrium()))
     {
       if (has_equilibrium())
-        jumps.accept(model, *file.read(), leg()->from);
+        jumps.accept(model, scene(), leg()->from);
       return true;
     }
     const double value = leg()->at(t);
     if (t > 0.)
-    {
-      file.set(leg()->parameter, value, "Load step " + std::to_string(result.newton.steps));
-      model.update(*file.read());
-    }
+      go_to(value, "Load step " + std::to_string(result.newton.steps));
     return solve(t, value);
   }
 
@@ -184,8 +192,7 @@ private:
     // A jump is believed, and reported, after a few attempts with shorter steps or when no shorter one is allowed; a
     // load path of the scene's own must not jump at all.
     constexpr int attempts_before_a_jump_counts = 4;
-    const std::unique_ptr<SurfaceScene> scene   = file.read();
-    if (!jumps.has_jumped(model, *scene, value))
+    if (!jumps.has_jumped(model, scene(), value))
       suspected_jumps = 0;
     else if (leg()->is_stage() ||
              (++suspected_jumps < attempts_before_a_jump_counts &&
@@ -203,7 +210,7 @@ private:
           "Continuation passes folds without a jump.");
       observer.on_message(result.warnings.back());
     }
-    jumps.accept(model, *scene, value);
+    jumps.accept(model, scene(), value);
     accepted = value;
     return false;
   }
@@ -237,10 +244,10 @@ private:
           ". Try a start shape nearer to the solution, load steps towards it (section Load), or a finer mesh.";
       return;
     }
-    const bool can_continue = has_equilibrium() && model.energy_slope(*file.read(), leg()->parameter);
+    const bool can_continue = has_equilibrium() && model.energy_slope(scene(), leg()->parameter);
     if (leg()->is_stage() && can_continue)
     {
-      back_to_the_last_equilibrium();
+      go_to(accepted, "Load path"); // the state is there already
       if (first.branch.parameter == leg()->parameter)
       {
         result.warnings.push_back(where_it_stopped() + ". The branch is followed from there by arc length; loads that "
@@ -273,12 +280,6 @@ private:
   }
 
   const char *direction() const { return leg()->to > leg()->from ? "increasing" : "decreasing"; }
-
-  void back_to_the_last_equilibrium()
-  {
-    file.set(leg()->parameter, accepted, "Load path");
-    model.update(*file.read());
-  }
 
   /** Whether the branch turns back soon after the last equilibrium, and where. */
   std::optional<double> fold_ahead()
@@ -315,6 +316,7 @@ private:
   Observer &observer;
   const SolutionSink &sink;
   RunResult result;
+  std::unique_ptr<SurfaceScene> read_last;
   std::vector<Leg> legs;
   std::size_t here = 0; ///< number of the leg
   JumpDetector jumps{""};

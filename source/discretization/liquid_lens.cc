@@ -67,7 +67,8 @@ SurfaceDiscretization liquid_lens(const LensShape &shape, const unsigned int deg
       append_at_line(result, EdgeLoop(result.edges.front()), outer, *inner, JoinedSide::as_it_is);
   result.region_names.emplace_back(lens_outer_region);
   result.cell_region.resize(result.n_cells, 2);
-  result.edges.front().name = lens_line;
+  result.edges.front().name        = lens_line;
+  result.edges.front().is_junction = true;
   result.edges.push_back(renumbered(*rim, number, n_of_caps));
   result.edges.back().name = lens_rim;
   result.rigid_motions.clear();

@@ -407,7 +407,7 @@ double SurfaceProblem::merit_slope(const std::vector<double> &direction) const
   for (std::size_t i = 0; i < n; ++i)
     slope += system->residual()[i] * direction[i];
   // A multiplier field p is at its full step all along: dp . B dx in the place of r_p . dp, where B dx = -r_p + C dp.
-  // The energies are quadratic in p, E(p + dp) - E(p) = r_p . dp - dp . C dp/2.
+  // The energies are quadratic in p (up to dp^3), E(p + dp) - E(p) = r_p . dp - dp . C dp/2.
   const std::vector<double> stepped = at_full_multiplier_fields(direction).energies;
   for (std::size_t e = 0; e < stepped.size(); ++e)
     slope += 2. * (current_values.energies[e] - stepped[e]);

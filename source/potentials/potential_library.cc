@@ -18,6 +18,7 @@
 #include <pellicle/potentials/energies/tu_ou_yang_skin.h>
 #include <pellicle/potentials/potential_library.h>
 #include <pellicle/potentials/solids/solid_effect.h>
+#include <pellicle/potentials/wetting/free_contact_line.h>
 #include <pellicle/potentials/wetting/line_pinning.h>
 #include <pellicle/potentials/wetting/solid_skins.h>
 #include <pellicle/potentials/wetting/wetting.h>
@@ -70,6 +71,7 @@ EffectLibrary ridge_effects()
   library.add("volume constraint", [] { return std::make_unique<VolumeConstraintEffect>(); });
   library.add("solid", [] { return std::make_unique<SolidEffect>(); });
   library.add("solid skins", [] { return std::make_unique<SolidSkinsEffect>(); });
+  library.add("free contact line", [] { return std::make_unique<FreeContactLineEffect>(); });
   library.add("gravity", [] { return std::make_unique<GravityEffect>(); });
   library.add("line tension", [] { return std::make_unique<LineTensionEffect>(); });
   return library;

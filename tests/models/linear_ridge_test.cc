@@ -73,7 +73,7 @@ NodalVectors equilibrium(SurfaceDiscretization &layer, const double nu, const do
   if (nu == 0.5)
   {
     set.energies.push_back(std::make_shared<DensityPotential<IncompressibleLiquid>>(
-        "incompressibility", IncompressibleLiquid{reference_of(layer)}, in_body));
+        "incompressibility", IncompressibleLiquid{{}, reference_of(layer)}, in_body));
     add_pressure_nodes(layer, 0);
   }
   BodyRun run(layer, set, conditions);

@@ -3,12 +3,15 @@
 #include "sample_shapes.h"
 #include "temporary_directory.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/output/atomic_file.h>
 #include <pellicle/output/picture.h>
 #include <pellicle/output/program.h>
 #include <pellicle/output/vtu.h>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace pellicle;
 using pellicle::testing::TemporaryDirectory;
@@ -39,6 +42,76 @@ TEST(Picture, OfABiconcaveSurface)
   const ProgramEnd colours =
       run_program({"/usr/bin/python3", PELLICLE_SOURCE_DIR "/tests/output/check_picture.py", png.string()}, 60.);
   EXPECT_EQ(colours.exit_status, 0) << colours.output;
+}
+
+/** A hemisphere on the top of a body of radius 2 or, as a block, of half width 2, that has a ridge at r = 1. */
+class DropOnRidge
+{
+public:
+  SurfaceSample surface, body;
+
+  explicit DropOnRidge(const bool axial)
+  {
+    surface.degree = body.degree = 2;
+    SampledField region{"region", 1, {}};
+    for (unsigned int number = 0; number < 3; ++number)
+      for (unsigned int c = 0; c < 16 * n; ++c)
+        for (unsigned int p = 0; p < 9; ++p)
+        {
+          const double s = (c % n + (p % 3) / 2.) / n, phi = 2. * pi / 16. * (c / n + (p / 3) / 2.);
+          const double r = number == 0 ? std::sin(pi / 2. * s) : number == 1 ? 1. - s : 1. + s;
+          const double z = number == 0 ? std::cos(pi / 2. * s) + height(1.) : height(r);
+          surface.points.insert(surface.points.end(), {r * std::cos(phi), r * std::sin(phi), z});
+          region.values.push_back(number);
+          surface.n_cells += p == 0;
+        }
+    surface.fields = {region};
+
+    SampledField material{"material_position", 3, {}}, displacement{"displacement", 3, {}};
+    body.dimension = axial ? 2 : 3;
+    body.n_cells   = axial ? n * n : n * n * n;
+    for (unsigned int c = 0; c < body.n_cells; ++c)
+      for (unsigned int p = 0; p < body.points_per_cell(); ++p)
+      {
+        const auto at  = [&](const unsigned int i, const unsigned int j) { return (i + j / 2.) / n; };
+        const double X = axial ? 2. * at(c % n, p % 3) : 4. * at(c % n, p % 3) - 2.,
+                     Y = axial ? 0. : 2. * at(c / n / n, p / 9), Z = at(c / n % n, p / 3 % 3) - 1.,
+                     u = (1. + Z) * height(std::hypot(X, Y));
+        material.values.insert(material.values.end(), {X, Y, Z});
+        displacement.values.insert(displacement.values.end(), {0., 0., u});
+        body.points.insert(body.points.end(), {X, Y, Z + u});
+      }
+    body.fields = {material, displacement};
+  }
+
+private:
+  static constexpr unsigned int n = 8;
+  static double height(const double r) { return 0.15 * std::exp(-std::pow((r - 1.) / 0.4, 2)) - 0.05; }
+};
+
+TEST(Picture, OfADropInSection)
+{
+  for (const bool axial : {true, false})
+  {
+    const TemporaryDirectory directory;
+    const auto vtu = directory.path() / "drop.vtu", body = directory.path() / "body.vtu",
+               png = directory.path() / "picture.png";
+    const DropOnRidge scene(axial);
+    write_vtu(vtu, scene.surface);
+    write_vtu(body, scene.body);
+    if (const auto reason = render_section(vtu, body, png, "Ridge"))
+    {
+      if (is_not_installed(*reason))
+        GTEST_SKIP() << *reason;
+      FAIL() << *reason;
+    }
+    const ProgramEnd colours =
+        run_program({"/usr/bin/python3", PELLICLE_SOURCE_DIR "/tests/output/check_picture.py", png.string()}, 60.);
+    EXPECT_EQ(colours.exit_status, 0) << colours.output;
+    const auto without_body = render_section(vtu, vtu, png, "");
+    ASSERT_TRUE(without_body);
+    EXPECT_NE(without_body->find("there is no scalar field 'displacement:2'"), std::string::npos) << *without_body;
+  }
 }
 
 TEST(Picture, GivesAReasonInsteadOfAPicture)

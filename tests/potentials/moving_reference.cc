@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies and skins whose reference is a field: derivatives, Eshelby's force, invariance.
+#include <pellicle/potentials/energies/neo_hookean_skin.h>
+#include <pellicle/potentials/energies/skalak_skin.h>
+#include <pellicle/potentials/moving_skin.h>
 #include <pellicle/potentials/solids/body_pressure.h>
 #include <pellicle/potentials/solids/elastic_body.h>
 #include <pellicle/potentials/solids/moving_reference.h>
@@ -178,5 +181,81 @@ TEST(MovingReference, NoEnergyOfInvertedBodiesOrReferences)
   }
   const std::vector<double> both = inputs(F0, mirror * bases, {0.8, 0., 0.});
   EXPECT_FALSE(std::isfinite(derivatives(moving(BodyPressure<LinearVolumeLaw>{{0.}}), both, Order::value).value[0]));
+}
+
+/** Place and base vectors of x and X of a surface: x,a = F X,a. */
+std::vector<double> surface_inputs(const Matrix3 &F, const Matrix3 &X_a)
+{
+  std::vector<double> result = inputs(F, X_a);
+  result.erase(result.begin() + 21, result.end()); // X,3
+  result.erase(result.begin() + 9, result.begin() + 12);
+  return result;
+}
+
+constexpr unsigned int surface_offsets[2] = {0, 9};
+
+template <typename Law>
+PointSums skin_derivatives(const Law &law, const std::vector<double> &x)
+{
+  PointSums sums;
+  sums.reset(1, 18, Order::hessian);
+  DensityPotential<MovingSkin<Law>>("test", {law}).add({0, 1, 18, x.data()}, surface_offsets, 1., Order::hessian, sums);
+  return sums;
+}
+
+template <typename Law>
+void compare_skin_with_automatic(const Law &law)
+{
+  const std::vector<double> x = surface_inputs(F0, bases);
+  const PointSums hand        = skin_derivatives(law, x);
+  PointSums automatic;
+  automatic.reset(1, 18, Order::hessian);
+  automatic.value[0] = DensityPotential<MovingSkin<Law>>("test", {law})
+                           .add_automatic(x.data(), surface_offsets, {}, 1., Order::hessian, 18,
+                                          automatic.gradient.data(), automatic.hessian.data());
+  EXPECT_NEAR(hand.value[0], automatic.value[0], 1e-13);
+  for (unsigned int i = 0; i < 18; ++i)
+    EXPECT_NEAR(hand.gradient[i], automatic.gradient[i], 1e-13) << i;
+  for (unsigned int i = 0; i < 18 * 18; ++i)
+    EXPECT_NEAR(hand.hessian[i], automatic.hessian[i], 1e-12) << i / 18 << "," << i % 18;
+}
+
+TEST(MovingSkin, HandWrittenDerivativesAreTheAutomaticOnes)
+{
+  compare_skin_with_automatic(NeoHookeanSkin{0.8});
+  compare_skin_with_automatic(SkalakSkin{0.8, 0.4});
+}
+
+TEST(MovingSkin, WithXGivenItIsTheElasticSkin)
+{
+  const std::vector<double> x = surface_inputs(F0, bases);
+  const Vector3<double> X1 = row(bases, 0), X2 = row(bases, 1);
+  const ElasticSkin<NeoHookeanSkin> given{
+      {0.8},
+      std::make_shared<const std::vector<ReferenceMetric>>(1, ReferenceMetric{dot(X1, X1), dot(X1, X2), dot(X2, X2)})};
+  const unsigned int offset = 0;
+  PointSums fixed;
+  fixed.reset(1, 9, Order::hessian);
+  DensityPotential<ElasticSkin<NeoHookeanSkin>>("test", given)
+      .add({0, 1, 9, x.data()}, &offset, 1., Order::hessian, fixed);
+  const PointSums moved = skin_derivatives(NeoHookeanSkin{0.8}, x);
+  EXPECT_EQ(moved.value[0], fixed.value[0]);
+  for (unsigned int i = 0; i < 9; ++i)
+  {
+    EXPECT_EQ(moved.gradient[i], fixed.gradient[i]);
+    for (unsigned int j = 0; j < 9; ++j)
+      EXPECT_EQ(moved.hessian[18 * i + j], fixed.hessian[9 * i + j]);
+  }
+}
+
+// Equal stretch l of a plane: W - l P = -2 mu ln l, so that dE = -2 mu ln l times the change of the reference's area.
+TEST(MovingSkin, EshelbysForceOfAnEqualStretch)
+{
+  const double mu = 0.8, l = 1.3;
+  const PointSums sums = skin_derivatives(NeoHookeanSkin{mu}, surface_inputs(l * rotation, bases));
+  const AreaDerivatives area(row(bases, 0), row(bases, 1));
+  for (unsigned int a = 0; a < 2; ++a)
+    for (unsigned int c = 0; c < 3; ++c)
+      EXPECT_NEAR(sums.gradient[12 + 3 * a + c], -2. * mu * std::log(l) * area.dJ[a][c], 1e-14);
 }
 } // namespace

@@ -6,6 +6,7 @@
 #include <pellicle/potentials/solids/body_pressure.h>
 #include <pellicle/potentials/solids/solid_effect.h>
 #include <pellicle/potentials/solids/volume_laws.h>
+#include <pellicle/potentials/wetting/free_contact_line.h>
 #include <pellicle/potentials/wetting/solid_skins.h>
 
 #include <gtest/gtest.h>
@@ -194,6 +195,7 @@ TEST(RidgeEffects, ListedEffectsNeedNoReferenceToBeChecked)
   const EffectLibrary library       = ridge_effects();
   SceneTargets targets              = soft_targets(1., 0.5);
   targets.substrate->bulk_reference = nullptr;
+  targets.substrate->line_is_free   = true;
   targets.edges                     = {{contact_line, EdgeSupport::inner}};
   for (const std::string &name : library.names())
   {
@@ -229,6 +231,88 @@ TEST(SolidSkins, TensionsActOnTheirRegions)
   EXPECT_NE(set.energies[0]->where().name, set.energies[1]->where().name);
 }
 
+/** Power of the skins' energy on the wetted part in a uniform dilatation of an area stretched equally by l, divided by
+ * twice that area: the tension in the surface. */
+double tension_of_skin(const SolidSkinsEffect &effect, const SceneTargets &targets, const Scales &scales,
+                       const double l)
+{
+  PotentialSet set;
+  effect.contribute(scales, targets, set);
+  const auto energy = [&](const double stretch)
+  {
+    PotentialSet wetted;
+    for (const auto &term : set.energies)
+      if (term->where().name == solid_liquid_region)
+        wetted.energies.push_back(term);
+    return energy_at(wetted, {0., 0., 0., stretch, 0., 0., 0., stretch, 0.});
+  };
+  const double h = 1e-4;
+  return (energy(l * (1. + h)) - energy(l * (1. - h))) / (2. * h) / (2. * l * l);
+}
+
+// Upsilon = gamma + mu_s (1 - 1/J_s) under equal stretch, in internal units; gamma alone without modulus.
+TEST(SolidSkins, StressDependsOnStrainWithAShearModulus)
+{
+  const Scales scales{2., 3.};
+  SceneTargets targets              = soft_targets(1., 0.3);
+  targets.substrate->skin_reference = std::make_shared<const std::vector<ReferenceMetric>>(1);
+  SolidSkinsEffect effect;
+  EXPECT_FALSE(effect.typical_energy(2.).has_value());
+  EXPECT_NEAR(tension_of_skin(effect, targets, scales, 1.3), 0.3, 1e-7);
+  const double modulus                   = 0.4;
+  effect.parameters.solid_liquid_modulus = modulus * scales.of(dimensions::tension);
+  EXPECT_DOUBLE_EQ(effect.typical_energy(2.).value(), 4. * effect.parameters.solid_liquid_modulus);
+  for (const double l : {0.8, 1., 1.3})
+    EXPECT_NEAR(tension_of_skin(effect, targets, scales, l), 0.3 + modulus * (1. - 1. / (l * l)), 1e-7);
+}
+
+// Nothing of it is assembled without modulus, and the reference is a field only where the line is free.
+TEST(SolidSkins, ReferenceOfTheirElasticPart)
+{
+  SceneTargets targets = soft_targets(1., 0.3);
+  for (const double modulus : {0., 0.4})
+    for (const bool is_free : {false, true})
+    {
+      targets.substrate->line_is_free = is_free;
+      SolidSkinsEffect effect;
+      effect.parameters.solid_gas_modulus = modulus;
+      PotentialSet set;
+      effect.contribute(Scales{}, targets, set);
+      ASSERT_EQ(set.energies.size(), modulus > 0. ? 3u : 2u);
+      const auto &last = *set.energies.back();
+      EXPECT_EQ(last.where().name, solid_gas_region);
+      EXPECT_EQ(last.fields().size(), is_free && modulus > 0. ? 2u : 1u);
+    }
+}
+
+TEST(FreeContactLine, TellsTheSceneItsThresholds)
+{
+  const Scales scales{2., 3.};
+  FreeContactLineEffect effect;
+  ParameterSection section(section_name(effect.name()));
+  effect.bind(section);
+  for (const ParameterSection::Entry &entry : section.entries())
+    EXPECT_EQ(std::string(entry.dimension.text()), "energy/length^2");
+  effect.parameters.advancing_threshold = 0.6;
+  SceneTargets targets                  = soft_targets(1., 0.3);
+  effect.prepare(scales, targets);
+  EXPECT_DOUBLE_EQ(targets.substrate->thresholds.advancing, 0.8); // .6/(3/4)
+  EXPECT_EQ(targets.substrate->thresholds.receding, 0.);
+
+  PotentialSet set;
+  effect.contribute(scales, targets, set);
+  EXPECT_TRUE(set.energies.empty() && set.constraints.empty());
+}
+
+TEST(FreeContactLine, OneDirectionAtLeastMustBePossible)
+{
+  FreeContactLineEffect effect;
+  effect.parameters.advancing_threshold = std::numeric_limits<double>::infinity();
+  EXPECT_NO_THROW(effect.check());
+  effect.parameters.receding_threshold = effect.parameters.advancing_threshold;
+  EXPECT_USER_ERROR(effect.check(), "never move");
+}
+
 // dE/dp per unit of the parameter as the user gives it: the energy of a parameter of 1, times the load.
 TEST(RidgeEffects, DerivativesByTensionsAndModulus)
 {
@@ -254,5 +338,27 @@ TEST(RidgeEffects, DerivativesByTensionsAndModulus)
   EXPECT_NEAR(slope_of(SolidSkinsEffect(), "Tensions/Solid gas"), 0.5 * area / tension_unit, 1e-15);
   EXPECT_NEAR(slope_of(*ridge_effects().create("liquid surface"), "Tensions/Liquid gas"), 0.5 * area / tension_unit,
               1e-15);
+}
+
+// All tensions are proportional to the load, and gravity to the body force.
+TEST(RidgeEffects, DerivativesByTheLoads)
+{
+  SceneTargets targets                   = soft_targets(1.7, 0.3);
+  targets.droplet->force_per_bond_number = {0.6, 0., -0.8};
+  targets.droplet->body_force            = 0.7 * targets.droplet->force_per_bond_number;
+  const auto slope_over_energy           = [&](const char *name, const std::string &parameter)
+  {
+    const std::unique_ptr<Effect> effect = ridge_effects().create(name);
+    PotentialSet whole, slope;
+    effect->contribute(Scales{}, targets, whole);
+    for (const ParameterDerivative &derivative : effect->derivatives(Scales{}, targets))
+      if (derivative.parameter == parameter)
+        slope.energies.push_back(derivative.energy);
+    EXPECT_EQ(slope.energies.size(), whole.energies.size());
+    return energy_at(slope, stretched) / energy_at(whole, stretched);
+  };
+  EXPECT_NEAR(slope_over_energy("liquid surface", "Tensions/Scale"), 1. / 0.5, 1e-14);
+  EXPECT_NEAR(slope_over_energy("solid skins", "Tensions/Scale"), 1. / 0.5, 1e-14);
+  EXPECT_NEAR(slope_over_energy("gravity", "Droplet/Body force"), 1. / 0.7, 1e-14);
 }
 } // namespace

@@ -24,9 +24,10 @@ constexpr const char *lens_rim          = "rim";
 
 /**
  * Three surfaces that share the nodes of a circle in z = 0, about the z axis. Normals of both caps point out of the
- * drop, that of the flat surface is e_z. The line has the upper cap on its left; the rim is where the surface ends.
- * A meridian runs from the pole to the line, on to the lower pole, and from the line to the rim. 2 * 2^r cells from
- * either pole to the line (see cap()), 4 * 2^r from there to the rim, graded so as to begin as large as the cap's.
+ * drop, that of the flat surface is e_z. The line, a junction, has the upper cap on its left; the rim is where the
+ * surface ends. A meridian runs from the pole to the line, on to the lower pole, and from the line to the rim. 2 * 2^r
+ * cells from either pole to the line (see cap()), 4 * 2^r from there to the rim, graded so as to begin as large as the
+ * cap's.
  *
  * No rigid motions: the rim is meant to be held. Throws UserError as cap() and annulus() do.
  */

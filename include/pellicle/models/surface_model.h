@@ -89,7 +89,12 @@ public:
   /** Bodies beside the surface, in the user's units; without cells if there are none. */
   SurfaceSample surroundings() const { return own_surroundings ? own_surroundings(*this) : SurfaceSample(); }
 
-  std::size_t n_cells() const { return discretization.n_cells; }
+  /** Of the bodies, where the scene is about them, else of the surface. */
+  std::size_t n_cells() const
+  {
+    return discretization.has_junctions() && !discretization.bulks.empty() ? discretization.bulks.front().n_cells
+                                                                           : discretization.n_cells;
+  }
   /** Unknowns of the linear system that was solved last: name of field or "multipliers" -> number; "total". */
   const std::vector<std::pair<std::string, std::size_t>> &unknown_counts() const { return last_unknown_counts; }
 

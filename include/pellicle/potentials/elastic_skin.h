@@ -13,6 +13,31 @@
 
 namespace pellicle
 {
+/** J_ref W(T, s) of a law of elastic skins, per unit of parametric area. */
+template <typename Law, typename Number, typename Reference>
+Number skin_density(const Law &law, const FieldAtPoint<Number> &x, const BasicReferenceMetric<Reference> &A)
+{
+  const StretchInvariants<Number> stretch(x, A);
+  return A.area_element() * law.energy(stretch.T, stretch.s);
+}
+
+/** Adds its derivatives by the position, the density's first field. */
+template <typename Law>
+void add_skin_derivatives(const Law &law, const FieldAtPoint<double> &x, const ReferenceMetric &A,
+                          const PointDerivativeView &view)
+{
+  const StretchDerivatives stretch(x, A);
+  using Number   = SecondOrder<2>;
+  const Number W = law.energy(seed<Number>(0, stretch.T), seed<Number>(1, stretch.s));
+  InvariantDerivatives dW;
+  dW.T  = W.val().dx(0);
+  dW.s  = W.val().dx(1);
+  dW.TT = W.dx(0).dx(0);
+  dW.Ts = W.dx(1).dx(0);
+  dW.ss = W.dx(1).dx(1);
+  stretch.add(dW, 0, view);
+}
+
 /**
  * In-plane elasticity E = integral of J_ref W(T, s) over the parameters, with the stretch invariants T and s relative
  * to a reference metric at every quadrature point. W is an energy per area of the reference; its Cauchy tension is
@@ -43,24 +68,13 @@ struct ElasticSkin
   template <typename Number>
   Number density(const PointInputs<Number, 1> &inputs, const PointData &data) const
   {
-    const ReferenceMetric &A = reference_at(data);
-    const StretchInvariants<Number> stretch(inputs[0], A);
-    return A.area_element() * law.energy(stretch.T, stretch.s);
+    return skin_density(law, inputs[0], reference_at(data));
   }
 
   void add_derivatives(const PointInputs<double, 1> &inputs, const PointData &data,
                        const PointDerivativeView &view) const
   {
-    const StretchDerivatives stretch(inputs[0], reference_at(data));
-    using Number   = SecondOrder<2>;
-    const Number W = law.energy(seed<Number>(0, stretch.T), seed<Number>(1, stretch.s));
-    InvariantDerivatives dW;
-    dW.T  = W.val().dx(0);
-    dW.s  = W.val().dx(1);
-    dW.TT = W.dx(0).dx(0);
-    dW.Ts = W.dx(1).dx(0);
-    dW.ss = W.dx(1).dx(1);
-    stretch.add(dW, 0, view);
+    add_skin_derivatives(law, inputs[0], reference_at(data), view);
   }
 
 private:

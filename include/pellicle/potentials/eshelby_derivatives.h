@@ -47,15 +47,22 @@ public:
 
   Vector3<double> gradient(const unsigned int a) const { return E * G[a] - e[a]; }
 
-  /** Rows x,a, columns X,b. */
-  Matrix3 mixed(const unsigned int a, const unsigned int b, const Matrix3 &H_ab) const
+  /** H_ab F, for the two below. */
+  Matrix3 along_material(const Matrix3 &H_ab) const { return H_ab * F; }
+
+  /** d2E/(dx,a dX,b): rows x,a, columns X,b. */
+  Matrix3 mixed(const unsigned int a, const unsigned int b, const Matrix3 &H_ab_F) const
   {
-    return outer(p[a], G[b]) - outer(p[b], G[a]) - H_ab * F;
+    Matrix3 block = -1. * H_ab_F;
+    if (a != b)
+      block = block + outer(p[a], G[b]) - outer(p[b], G[a]);
+    return block;
   }
 
-  Matrix3 second(const unsigned int a, const unsigned int b, const Matrix3 &H_ab) const
+  /** d2E/(dX,a dX,b). */
+  Matrix3 second(const unsigned int a, const unsigned int b, const Matrix3 &H_ab_F) const
   {
-    Matrix3 block = F_transposed * (H_ab * F);
+    Matrix3 block = F_transposed * H_ab_F;
     if (a != b) // what is left of the other terms: antisymmetric in a and b
     {
       const Vector3<double> left = 0.5 * E * G[a] - e[a], right = 0.5 * E * G[b] - e[b];

@@ -29,8 +29,8 @@ enum class FieldRole
 {
   independent, ///< an unknown of Newton's method
   internal,    ///< eliminated at every state by its own block of equations (the moment of the (x, P) form)
-  multiplier ///< an unknown in which the sum of energies is linear, or quadratic and concave: a Lagrange multiplier at
-             ///< every point
+  multiplier   ///< an unknown in which the sum of energies is linear, or concave and nearly quadratic: a Lagrange
+               ///< multiplier at every point
 };
 
 /** What the values of a field are. */

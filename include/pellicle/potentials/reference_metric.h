@@ -5,12 +5,20 @@
 
 namespace pellicle
 {
-/** Metric A_ab of a reference parametrisation at a point. */
-struct ReferenceMetric
+/** Metric A_ab of a reference parametrisation at a point; numbers, or carrying derivatives where the reference is a
+ * field. */
+template <typename Number>
+struct BasicReferenceMetric
 {
-  double A11 = 1., A12 = 0., A22 = 1.;
+  Number A11 = 1., A12 = 0., A22 = 1.;
 
   /** Area element J_ref = sqrt(det A). */
-  double area_element() const { return std::sqrt(A11 * A22 - A12 * A12); }
+  Number area_element() const
+  {
+    using std::sqrt;
+    return sqrt(A11 * A22 - A12 * A12);
+  }
 };
+
+using ReferenceMetric = BasicReferenceMetric<double>;
 } // namespace pellicle

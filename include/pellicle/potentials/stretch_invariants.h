@@ -20,9 +20,10 @@ struct StretchInvariants
 {
   Number T, s;
 
-  StretchInvariants(const FieldAtPoint<Number> &x, const ReferenceMetric &A)
+  template <typename Reference>
+  StretchInvariants(const FieldAtPoint<Number> &x, const BasicReferenceMetric<Reference> &A)
   {
-    const double r = 1. / A.area_element();
+    const Reference r = 1. / A.area_element();
     T = (r * r) * (A.A22 * dot(x.d1(), x.d1()) - 2. * A.A12 * dot(x.d1(), x.d2()) + A.A11 * dot(x.d2(), x.d2()));
     s = r * area_density(x);
   }

@@ -43,19 +43,20 @@ void GravityEffect::contribute(const Scales & /*scales*/, const SceneTargets &ta
       set.energies.push_back(std::move(part));
 }
 
-// The force is proportional to the Bond number.
+// The force is proportional to the Bond number, or on a soft substrate to the body force.
 std::vector<ParameterDerivative> GravityEffect::derivatives(const Scales & /*scales*/,
                                                             const SceneTargets &targets) const
 {
   const DropletTargets &drop          = targets.drop();
   const Vector3<double> per_unit_bond = drop.force_per_bond_number;
+  const char *const parameter         = targets.substrate ? "Droplet/Body force" : "Droplet/Bond number";
   std::vector<ParameterDerivative> list;
   for (const Where &where : boundary_of_liquid(targets))
-    list.push_back({"Droplet/Bond number",
-                    std::make_shared<DensityPotential<Gravity>>(name(), Gravity{per_unit_bond}, where), "", 0.});
+    list.push_back(
+        {parameter, std::make_shared<DensityPotential<Gravity>>(name(), Gravity{per_unit_bond}, where), "", 0.});
   for (const WettedBase &base : drop.bases)
     if (auto part = make_base_gravity(name(), base.chart, per_unit_bond, base.line))
-      list.push_back({"Droplet/Bond number", std::move(part), "", 0.});
+      list.push_back({parameter, std::move(part), "", 0.});
   return list;
 }
 } // namespace pellicle

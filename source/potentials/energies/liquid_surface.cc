@@ -40,7 +40,11 @@ std::vector<ParameterDerivative> LiquidSurfaceEffect::derivatives(const Scales &
 {
   if (!targets.substrate)
     return {};
-  const double slope = targets.substrate->load / scales.of(dimensions::tension);
-  return {{"Tensions/Liquid gas", tension_on_cap(name(), slope, targets.drop()), "", 0.}};
+  const double load = targets.substrate->load, slope = load / scales.of(dimensions::tension);
+  std::vector<ParameterDerivative> list{{"Tensions/Liquid gas", tension_on_cap(name(), slope, targets.drop()), "", 0.}};
+  if (load > 0.)
+    list.push_back(
+        {"Tensions/Scale", tension_on_cap(name(), targets.drop().surface_tension / load, targets.drop()), "", 0.});
+  return list;
 }
 } // namespace pellicle

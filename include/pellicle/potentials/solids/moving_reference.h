@@ -3,6 +3,7 @@
 
 #include <pellicle/potentials/density_potential.h>
 #include <pellicle/potentials/eshelby_derivatives.h>
+#include <pellicle/potentials/material_position.h>
 #include <pellicle/potentials/reference_basis.h>
 
 #include <array>
@@ -10,21 +11,6 @@
 
 namespace pellicle
 {
-/** Name of the field X of those bodies whose material points move through the mesh. */
-constexpr const char *material_position = "material position";
-
-/** The fields of a density, and second the material position, differentiated as the first field is. */
-template <std::size_t n>
-constexpr std::array<FieldUse, n + 1> with_material_position(const std::array<FieldUse, n> &fields)
-{
-  std::array<FieldUse, n + 1> all{};
-  all[0] = fields[0];
-  all[1] = {material_position, fields[0].derivatives, FieldRole::independent, FieldSpace::material_places};
-  for (std::size_t f = 1; f < n; ++f)
-    all[f + 1] = fields[f];
-  return all;
-}
-
 /**
  * A density of a body (see OnGivenReference) whose reference X is a field as the position x is, F =
  * (dx/dxi)(dX/dxi)^-1: material points may move through the mesh. The integral stays the same when both fields are
@@ -74,12 +60,12 @@ struct OnMovingReference
     for (unsigned int b = 0; b < 3; ++b)
       for (unsigned int a = 0; a < 3; ++a)
       {
-        const Matrix3 H_ab = given.hessian(1 + a, 1 + b);
-        view.add_hessian(0, 1 + a, 1, 1 + b, eshelby.mixed(a, b, H_ab));
+        const Matrix3 H_ab = given.hessian(1 + a, 1 + b), H_ab_F = eshelby.along_material(H_ab);
+        view.add_hessian(0, 1 + a, 1, 1 + b, eshelby.mixed(a, b, H_ab_F));
         if (a > b)
           continue;
         view.add_hessian(0, 1 + a, 0, 1 + b, H_ab);
-        view.add_hessian(1, 1 + a, 1, 1 + b, eshelby.second(a, b, H_ab));
+        view.add_hessian(1, 1 + a, 1, 1 + b, eshelby.second(a, b, H_ab_F));
       }
     for (unsigned int f = 1; f < n_given; ++f)
     {
@@ -107,6 +93,8 @@ private:
       std::array<unsigned int, n_given> offsets{};
       for (unsigned int f = 1; f < n_given; ++f)
         offsets[f] = 12 + 3 * (f - 1);
+      if (second)
+        second_derivatives.fill(0.);
       density.add_derivatives(G, inputs,
                               PointDerivativeView(first_derivatives.data(),
                                                   second ? second_derivatives.data() : nullptr, n, offsets.data(), 1.));
@@ -127,7 +115,7 @@ private:
   private:
     static constexpr unsigned int n = 12 + 3 * (n_given - 1);
     std::array<double, n> first_derivatives{};
-    std::array<double, n * n> second_derivatives{};
+    std::array<double, n * n> second_derivatives; // filled if asked for
   };
 
   template <typename Number>

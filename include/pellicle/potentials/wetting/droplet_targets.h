@@ -39,9 +39,9 @@ struct DropletTargets
   double contact_angle   = 0.; ///< theta in radians
   /** theta(x, y) in degrees; null: the same everywhere. */
   std::shared_ptr<const FunctionOfPlace> contact_angle_field;
-  Vector3<double> body_force; ///< rho b at Bond number and inclination of the scene
-  Vector3<double> force_per_bond_number;
-  double unit_of_place = 1.; ///< the scene's length in the user's units
+  Vector3<double> body_force;            ///< rho b at Bond number and inclination of the scene
+  Vector3<double> force_per_bond_number; ///< on a soft substrate: per unit of the scene's body force
+  double unit_of_place = 1.;             ///< the scene's length in the user's units
   std::vector<WettedBase> bases;
   bool has_base_membrane = false; ///< the wetted base is a region of the surface
   /** Regions of the surface that bound the liquid; empty: all of it does. */
