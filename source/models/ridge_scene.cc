@@ -5,10 +5,12 @@
 #include <pellicle/discretization/bodies.h>
 #include <pellicle/discretization/line_shift.h>
 #include <pellicle/discretization/ridge_mesh.h>
+#include <pellicle/models/material_line_pinning.h>
 #include <pellicle/models/ridge_measures.h>
 #include <pellicle/models/ridge_scene.h>
 #include <pellicle/potentials/solids/moving_reference.h>
 #include <pellicle/potentials/solids/solid_effect.h>
+#include <pellicle/potentials/wetting/free_contact_line.h>
 
 #include <cmath>
 
@@ -155,14 +157,26 @@ void RidgeScene::check() const
   if (!has_effect("volume constraint") && !has_effect("pressure"))
     throw UserError("The list Effects has neither 'volume constraint' nor 'pressure': nothing keeps the drop from "
                     "shrinking to a point. Add one of them.");
+  if (line_sticks() && !branch.parameter.empty())
+    throw UserError("Continuation/Parameter = " + branch.parameter +
+                    " with thresholds of 'free contact line' is not possible: what the line has dissipated does not "
+                    "come back along a branch. Use section Load, or set both thresholds to 0.");
   start_mesh();
   SurfaceScene::check();
 }
 
+bool RidgeScene::line_sticks() const
+{
+  const auto *effect = find<FreeContactLineEffect>();
+  return line_is_free() && effect != nullptr &&
+         (effect->parameters.advancing_threshold > 0. || effect->parameters.receding_threshold > 0.);
+}
+
 bool RidgeScene::is_fixed(const std::string &parameter) const
 {
-  for (const char *section : {"Contact line/", "Substrate/Shape", "Substrate/Half width", "Substrate/Thickness",
-                              "Substrate/Lateral faces", "Substrate/Bottom", "Substrate/Part", "Substrate/Azimuthal"})
+  for (const char *section :
+       {"Contact line/", "Substrate/Shape", "Substrate/Half width", "Substrate/Thickness", "Substrate/Lateral faces",
+        "Substrate/Bottom", "Substrate/Part", "Substrate/Azimuthal", "Free contact line/"})
     if (parameter.rfind(section, 0) == 0)
       return true;
   return SurfaceScene::is_fixed(parameter);
@@ -265,6 +279,15 @@ NodalConditions RidgeScene::conditions(const SurfaceDiscretization &surface, con
   if (line_is_free())
     conditions[material_position] = shift_of_material(surface);
   return conditions;
+}
+
+std::vector<std::unique_ptr<ActiveSet>> RidgeScene::active_sets(const SurfaceDiscretization &surface,
+                                                                const SceneTargets &targets) const
+{
+  std::vector<std::unique_ptr<ActiveSet>> list;
+  if (line_sticks())
+    list.push_back(std::make_unique<MaterialLinePinning>(surface, targets));
+  return list;
 }
 
 SurfaceMeasures RidgeScene::measures(const Scales & /*scales*/) const

@@ -79,6 +79,9 @@ public:
   std::vector<LoadStage> load_stages() const override;
   std::vector<SceneEdge> edges() const override;
   NodalConditions conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const override;
+  /** Of a free line with thresholds. */
+  std::vector<std::unique_ptr<ActiveSet>> active_sets(const SurfaceDiscretization &surface,
+                                                      const SceneTargets &targets) const override;
   SurfaceMeasures measures(const Scales &scales) const override;
   void add_references(const SurfaceDiscretization &start, SceneTargets &targets) const override;
 
@@ -92,5 +95,7 @@ protected:
 private:
   bool is_axial() const { return mesh.symmetry == "axial"; }
   bool line_is_free() const { return line.motion == "free"; }
+  /** Whether a free line has a threshold. */
+  bool line_sticks() const;
 };
 } // namespace pellicle
