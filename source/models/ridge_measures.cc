@@ -77,10 +77,12 @@ Vector3<double> reaction(const SurfaceModel &model)
   Vector3<double> sum;
   for (const std::size_t node : held)
     sum += vector_at(forces, node);
-  // On a meridian and with a mirror plane the forces across it belong to its other side.
+  // On a meridian the forces across the axis, and on half a model those across its plane, balance.
   if (mesh.kind == SurfaceDiscretization::Kind::meridian)
     return {0., 0., sum[2]};
-  return sum;
+  const EdgeLoop &line = mesh.edges.front();
+  const bool is_half   = line.cell_nodes.front() != line.cell_nodes.back();
+  return {sum[0], is_half ? 0. : sum[1], sum[2]};
 }
 
 struct Regions
