@@ -268,4 +268,12 @@ SurfaceMeasures RidgeScene::measures(const Scales & /*scales*/) const
 {
   return measure_ridge;
 }
+
+RidgeScene make_ridge_scene(const EffectLibrary &library, const std::vector<std::string> &effects,
+                            const std::vector<std::string> &analyses)
+{
+  RidgeScene scene;
+  list_effects(scene, library, effects, analyses);
+  return scene;
+}
 } // namespace pellicle

@@ -97,4 +97,9 @@ private:
   bool is_axial() const { return mesh.symmetry == "axial"; }
   bool line_is_free() const { return line.motion == "free"; }
 };
+
+/** A scene with the named effects of a library, parameters at their defaults. Throws UserError for an unknown effect.
+ */
+RidgeScene make_ridge_scene(const EffectLibrary &library, const std::vector<std::string> &effects,
+                            const std::vector<std::string> &analyses);
 } // namespace pellicle
