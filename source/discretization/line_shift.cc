@@ -11,6 +11,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
 namespace pellicle
 {
@@ -18,7 +19,7 @@ namespace
 {
 constexpr double rigid_distance = .35, decay_distance = .6; ///< over the ring's radius
 constexpr double least_rigid = .25;                         ///< over the room that there is
-constexpr double used_room   = .95;                         ///< of the distance to the axis, the side, the bottom
+constexpr double used_room   = .95;                         ///< of the distance to the axis, the bottom
 constexpr double same_plane  = 1e-9;                        ///< azimuths in radians
 
 /** C2 function from 0 to 1 on [0, 1] whose slope is 0 at the ends and no larger than 4/3: constant but for the first
@@ -94,12 +95,20 @@ Reach reach_of(const SurfaceDiscretization &ridge, const BulkPart &body, const M
       for (auto node = first; node != last; ++node)
         core = std::max(core, distance_from_axis(ridge.positions, *node));
   }
-  double side = std::numeric_limits<double>::infinity();
-  for (const std::size_t node : body.faces.at("side"))
-    side = std::min(side, distance_from_axis(ridge.positions, node));
+  // The skin ends at the outer edge, another singular corner: were its cells to move, their errors would pull the line.
+  const std::vector<std::size_t> &top = body.faces.at("top"), &side = body.faces.at("side");
+  const std::set<std::size_t> on_top(top.begin(), top.end()), on_side(side.begin(), side.end());
+  double outside = std::numeric_limits<double>::infinity();
+  for (std::size_t cell = 0; cell < body.n_cells; ++cell)
+  {
+    const auto first = body.cell_nodes.begin() + static_cast<std::ptrdiff_t>(cell * body.tables.n_nodes),
+               last  = first + static_cast<std::ptrdiff_t>(local);
+    if (std::any_of(first, last, [&](const std::size_t node) { return on_top.count(node) * on_side.count(node) > 0; }))
+      for (auto node = first; node != last; ++node)
+        outside = std::min(outside, distance_from_axis(ridge.positions, *node));
+  }
   const double thickness = -ridge.positions[3 * body.faces.at("bottom").front() + 2];
-  return {std::min(used_room * ring_radius, ring_radius - core), used_room * (side - ring_radius),
-          used_room * thickness};
+  return {std::min(used_room * ring_radius, ring_radius - core), outside - ring_radius, used_room * thickness};
 }
 } // namespace
 

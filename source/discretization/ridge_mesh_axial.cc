@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "meridian_line.h"
+#include "ridge_fan.h"
 #include "ridge_lines.h"
 
 #include <pellicle/discretization/bodies.h>
@@ -14,6 +15,10 @@ namespace pellicle
 {
 namespace
 {
+/** Gauss points of the substrate's cells along each direction beyond their degree. At the line strains are singular,
+ * and with as few as degree + 1 points a cell there may turn over between them. */
+constexpr unsigned int more_points = 3;
+
 /** Meridian of the cap from the pole to the ring. The drop is smooth up to the line: its cells need not be as small. */
 SurfaceDiscretization cap_meridian(const RidgeShape &shape)
 {
@@ -42,15 +47,18 @@ SurfaceDiscretization cap_meridian(const RidgeShape &shape)
 SurfaceDiscretization axial_ridge(const RidgeShape &shape)
 {
   check_ridge(shape);
-  const double a                    = shape.ring_radius;
-  CylinderShape lines               = {downwards(a, graded_ends(a, shape.cell_size, shape)),
-                                       downwards(0., graded_ends(shape.thickness, shape.cell_size, shape))};
+  const double a = shape.ring_radius;
+  const RidgeFan fan(shape, a);
+  CylinderShape lines               = {downwards(a, graded_ends(a, shape.cell_size, shape)), fan.column()};
   const std::size_t n_wetted        = lines.r.size() - 1;
   const std::vector<double> outside = graded_ends(shape.half_width - a, shape.cell_size, shape);
   for (std::size_t i = 1; i + 1 < outside.size(); ++i)
     lines.r.push_back(a + outside[i]);
   lines.r.push_back(shape.half_width);
   SurfaceDiscretization result = cylinder(substrate_body, lines, shape.degree);
+  for (std::size_t I = 0; I < result.n_nodes; ++I) // upwards, column by column
+    result.positions[3 * I + 2] = fan.height(I % fan.n_levels(), result.positions[3 * I]);
+  result.bulks.front().tables = make_revolved_quad_tables(shape.degree, shape.degree + more_points);
 
   const std::vector<std::size_t> top = std::move(result.cell_nodes);
   const std::size_t n_local = result.n_local(), ring = top[n_wetted * n_local];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "body_degree.h"
+#include "ridge_fan.h"
 #include "ridge_lines.h"
 #include "ridge_parts.h"
 
@@ -23,6 +24,7 @@ namespace pellicle
 namespace
 {
 constexpr unsigned int highest_degree = 3;
+constexpr double way_to_core          = .68;  ///< from the contact line to all cells around the axis, over its radius
 constexpr double same_place           = 1e-9; ///< relative
 
 /** Nodes on the contact line, counterclockwise. */
@@ -43,35 +45,28 @@ std::vector<std::size_t> ring_nodes(const SurfaceDiscretization &surface, const 
   return result;
 }
 
-/** Extrudes the top downwards: nodes of the layer at height z[k] are those of the top plus k times as many, the last
- * layer being the top. */
-BulkPart extruded(const SurfaceDiscretization &top, const std::vector<double> &heights)
+/** Extrudes the top downwards: nodes of level k are those of the top plus k times as many, the last level being the
+ * top. */
+BulkPart extruded(const SurfaceDiscretization &top, const RidgeFan &fan)
 {
   BulkPart body;
   body.name   = substrate_body;
   body.tables = make_hexahedron_tables(top.degree, top.degree + 1);
-  for (std::size_t layer = 0; layer + 1 < heights.size(); ++layer)
+  for (std::size_t layer = 0; layer + 1 < fan.n_levels(); layer += top.degree)
     for (std::size_t cell = 0; cell < top.n_cells; ++cell, ++body.n_cells)
       for (std::size_t k = 0; k <= top.degree; ++k)
         for (std::size_t s = 0; s < top.n_local(); ++s)
-          body.cell_nodes.push_back((layer * top.degree + k) * top.n_nodes + top.cell_nodes[cell * top.n_local() + s]);
+          body.cell_nodes.push_back((layer + k) * top.n_nodes + top.cell_nodes[cell * top.n_local() + s]);
   return body;
 }
 
-/** Nodes at the given heights over or under those of a plane. */
-NodalVectors stacked(const NodalVectors &plane, const std::vector<double> &heights, const unsigned int degree)
+/** Nodes at all levels below those of the top. */
+NodalVectors stacked(const NodalVectors &top, const RidgeFan &fan)
 {
-  const std::vector<double> unit = line_nodes(degree);
   NodalVectors positions;
-  const auto add_layer = [&](const double z)
-  {
-    for (std::size_t I = 0; I < plane.size(); I += 3)
-      positions.insert(positions.end(), {plane[I], plane[I + 1], z});
-  };
-  for (std::size_t layer = 0; layer + 1 < heights.size(); ++layer)
-    for (unsigned int k = 0; k < degree; ++k)
-      add_layer(heights[layer] + .5 * (1. + unit[k]) * (heights[layer + 1] - heights[layer]));
-  add_layer(heights.back());
+  for (std::size_t level = 0; level < fan.n_levels(); ++level)
+    for (std::size_t I = 0; I < top.size(); I += 3)
+      positions.insert(positions.end(), {top[I], top[I + 1], fan.height(level, std::hypot(top[I], top[I + 1]))});
   return positions;
 }
 
@@ -134,13 +129,13 @@ void check_plan(const RidgeShape &shape, const RidgePlanShape &plan)
 SurfaceDiscretization ridge_in_space(const RidgeShape &shape, const RidgePlanShape &plan)
 {
   check_plan(shape, plan);
-  const SurfacePart top             = ridge_top(shape, plan);
-  const std::vector<double> heights = downwards(0., graded_ends(shape.thickness, shape.cell_size, shape));
-  SurfaceDiscretization result      = ridge_cap(shape, plan); // for its tables; nodes of the body come first
-  const SurfaceDiscretization cap   = result;
+  const SurfacePart top = ridge_top(shape, plan);
+  const RidgeFan fan(shape, way_to_core * shape.ring_radius);
+  SurfaceDiscretization result    = ridge_cap(shape, plan); // for its tables; nodes of the body come first
+  const SurfaceDiscretization cap = result;
 
-  BulkPart body                  = extruded(top.surface, heights);
-  result.positions               = stacked(top.surface.positions, heights, shape.degree);
+  BulkPart body                  = extruded(top.surface, fan);
+  result.positions               = stacked(top.surface.positions, fan);
   const std::size_t first_on_top = result.positions.size() / 3 - top.surface.n_nodes;
   name_faces(shape, plan, result.positions, body);
   result.bulks.push_back(std::move(body));

@@ -66,7 +66,7 @@ TEST(LineShift, IsRigidNearTheLineAndZeroAtTheBoundary)
   {
     const LineShift shift = line_shift(ridge);
     const BulkPart &body  = ridge.bulks.front();
-    const double rigid    = ridge.kind == SurfaceDiscretization::Kind::meridian ? .35 : .16;
+    const double rigid    = .16;
     for (const std::size_t I : body.cell_nodes)
     {
       const double r = distance_from_axis(ridge, I), depth = -ridge.positions[3 * I + 2];
@@ -83,6 +83,35 @@ TEST(LineShift, IsRigidNearTheLineAndZeroAtTheBoundary)
       for (const std::size_t I : body.faces.at(face))
         EXPECT_EQ(shift.weight[I], 0.);
   }
+}
+
+TEST(LineShift, LeavesTheCellsAtTheOuterEdgeWhereTheyAre)
+{
+  for (const double half_width : {1.2, 2., 5.})
+    for (const SurfaceDiscretization &ridge : ridges(half_width))
+    {
+      const LineShift shift = line_shift(ridge);
+      const BulkPart &body  = ridge.bulks.front();
+      const std::set<std::size_t> side(body.faces.at("side").begin(), body.faces.at("side").end()),
+          top(body.faces.at("top").begin(), body.faces.at("top").end());
+      const std::size_t n        = body.tables.n_nodes;
+      std::size_t n_cells_inside = 0;
+      for (std::size_t cell = 0; cell < body.n_cells; ++cell)
+      {
+        const std::vector<std::size_t> nodes(body.cell_nodes.begin() + static_cast<std::ptrdiff_t>(cell * n),
+                                             body.cell_nodes.begin() + static_cast<std::ptrdiff_t>((cell + 1) * n));
+        const bool at_edge = std::any_of(nodes.begin(), nodes.end(),
+                                         [&](const std::size_t I) { return side.count(I) + top.count(I) == 2; });
+        for (const std::size_t I : nodes)
+          if (at_edge)
+          {
+            EXPECT_EQ(shift.weight[I], 0.);
+          }
+          else if (shift.weight[I] > 0. && distance_from_axis(ridge, I) > 1.)
+            ++n_cells_inside;
+      }
+      EXPECT_GT(n_cells_inside, 100u);
+    }
 }
 
 TEST(LineShift, NodesFollowTheNodeOfTheLineOnTheirMeridianPlane)

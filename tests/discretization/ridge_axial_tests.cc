@@ -120,7 +120,8 @@ TEST(AxialRidge, CellsGrowAwayFromTheLineDownToAThousandthOfTheRadius)
       for (const std::size_t node : ridge.bulks.front().cell_nodes)
       {
         radii.insert(place(ridge, node)[0]);
-        heights.insert(place(ridge, node)[2]);
+        if (place(ridge, node)[0] == 1.)
+          heights.insert(place(ridge, node)[2]);
       }
       const std::vector<double> r(radii.begin(), radii.end()), z(heights.begin(), heights.end());
       const auto at = static_cast<std::size_t>(std::find(r.begin(), r.end(), 1.) - r.begin());
@@ -142,6 +143,32 @@ TEST(AxialRidge, CellsGrowAwayFromTheLineDownToAThousandthOfTheRadius)
       };
       check_row(r);
       check_row(z);
+    }
+}
+
+// Thin cells at the outer edge, on which the skin pulls, would fold.
+TEST(AxialRidge, CellsAreCoarseAtTheAxisAndAtTheOuterEdge)
+{
+  for (const double size : {.1, .02, 1e-3, 1e-5})
+    for (const unsigned int degree : {1u, 2u, 3u})
+    {
+      const SurfaceDiscretization ridge = axial_ridge(paper_shape(size, degree));
+      const BulkPart &body              = ridge.bulks.front();
+      EXPECT_GT(body_measures(body, ridge.positions).worst_jacobian, .02);
+      for (const double r : {0., 2.})
+      {
+        std::vector<double> z;
+        for (const std::size_t node : std::set<std::size_t>(body.cell_nodes.begin(), body.cell_nodes.end()))
+          if (place(ridge, node)[0] == r)
+            z.push_back(place(ridge, node)[2]);
+        std::sort(z.begin(), z.end());
+        EXPECT_EQ(z.front(), -1.);
+        EXPECT_EQ(z.back(), 0.);
+        EXPECT_GT(-z[z.size() - 1 - degree], .2);
+        EXPECT_LT(-z[z.size() - 1 - degree], .3);
+        for (std::size_t i = degree; i + degree < z.size(); i += degree) // no smaller than a third of the one above
+          EXPECT_GT(3.01 * (z[i] - z[i - degree]), z[i + degree] - z[i]);
+      }
     }
 }
 

@@ -247,7 +247,8 @@ TEST(RidgeInSpace, UnknownsAndSmallestCells)
         if (ridge.positions[3 * I + 1] == 0.)
           x.insert(ridge.positions[3 * I]);
       for (const std::size_t I : ridge.bulks.front().cell_nodes)
-        z.insert(ridge.positions[3 * I + 2]);
+        if (place(ridge, I)[0] == 1. && ridge.positions[3 * I + 1] == 0.)
+          z.insert(ridge.positions[3 * I + 2]);
       const auto at    = x.find(1.);
       const auto steps = {*std::next(at, 2) - 1., 1. - *std::prev(at, 2), -*std::next(z.rbegin(), 2)};
       for (const double step : steps)

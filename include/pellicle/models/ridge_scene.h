@@ -69,12 +69,8 @@ public:
   TensionParameters tensions;
   SoftSubstrateParameters substrate;
 
-  /** A meridian, for most scenes are axisymmetric; stages of the load path in one step where that is possible. */
-  RidgeScene()
-  {
-    mesh.symmetry = "axial";
-    load.steps    = 1;
-  }
+  /** A meridian, for most scenes are axisymmetric. */
+  RidgeScene() { mesh.symmetry = "axial"; }
 
   void check() const override;
   SurfaceDiscretization start_mesh() const override;
