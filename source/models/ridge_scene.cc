@@ -232,8 +232,11 @@ SurfaceDiscretization RidgeScene::start_mesh() const
   shape.thickness   = substrate.thickness;
   shape.cell_size   = line.cell_size;
   shape.growth      = 1. + 0.5 * per_refinement;
-  shape.coarsest    = std::min(0.5, 0.25 * per_refinement);
-  shape.degree      = static_cast<unsigned int>(mesh.degree);
+  // The skin pulls free sides in at their upper edge, which is as singular as a pinned line and folds where cells are
+  // small. It is no part of the question and keeps coarse cells.
+  const double finest_at_edge = substrate.lateral == "free" ? 0.25 : 0.;
+  shape.coarsest              = std::min(0.5, std::max(finest_at_edge, 0.25 * per_refinement));
+  shape.degree                = static_cast<unsigned int>(mesh.degree);
   RidgePlanShape plan;
   plan.outline  = substrate.shape == "block" ? RidgePlanShape::Outline::block : RidgePlanShape::Outline::cylinder;
   plan.n_around = static_cast<unsigned int>(substrate.azimuthal_cells);
