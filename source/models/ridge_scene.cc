@@ -145,24 +145,34 @@ void RidgeScene::check() const
     throw UserError("Droplet/Inclination = " + exact_text(droplet.inclination) +
                     " with Mesh/Symmetry = axial: on an inclined substrate the drop is not axisymmetric. Set Symmetry "
                     "to none.");
-  if (!has_effect("gravity") && droplet.body_force != 0.)
-    throw UserError("Droplet/Body force = " + exact_text(droplet.body_force) +
-                    " has no effect in this scene: add 'gravity' to Effects.");
+  check_not_idle("Droplet/Body force", droplet.body_force, "gravity");
+  check_not_idle("Droplet/Inclination", droplet.inclination, "gravity");
+  check_not_idle("Tensions/Solid liquid", tensions.solid_liquid, "solid skins");
+  check_not_idle("Tensions/Solid gas", tensions.solid_gas, "solid skins");
   for (const char *needed : {"solid", "liquid surface"})
     if (!has_effect(needed))
       throw UserError(std::string("The list Effects has no '") + needed +
                       "': a drop on a soft substrate needs it. Add it.");
-  if (!has_effect("volume constraint") && !has_effect("pressure"))
-    throw UserError("The list Effects has neither 'volume constraint' nor 'pressure': nothing keeps the drop from "
-                    "shrinking to a point. Add one of them.");
+  if (!has_effect("volume constraint"))
+    throw UserError("The list Effects has no 'volume constraint': nothing keeps the drop from shrinking to a point. "
+                    "Add it.");
   start_mesh();
   SurfaceScene::check();
 }
 
+void RidgeScene::check_not_idle(const std::string &parameter, const double value, const std::string &effect) const
+{
+  if (value != 0. && !has_effect(effect))
+    throw UserError(parameter + " = " + exact_text(value) + " has no effect in this scene: add '" + effect +
+                    "' to Effects, or set it to 0.");
+}
+
+// Poisson's ratio decides whether cells have pressures of their own.
 bool RidgeScene::is_fixed(const std::string &parameter) const
 {
-  for (const char *section : {"Contact line/", "Substrate/Shape", "Substrate/Half width", "Substrate/Thickness",
-                              "Substrate/Lateral faces", "Substrate/Bottom", "Substrate/Part", "Substrate/Azimuthal"})
+  for (const char *section :
+       {"Contact line/", "Substrate/Shape", "Substrate/Half width", "Substrate/Thickness", "Substrate/Lateral faces",
+        "Substrate/Bottom", "Substrate/Poisson ratio", "Substrate/Part", "Substrate/Azimuthal"})
     if (parameter.rfind(section, 0) == 0)
       return true;
   return SurfaceScene::is_fixed(parameter);

@@ -91,6 +91,8 @@ protected:
 
 private:
   bool is_axial() const { return mesh.symmetry == "axial"; }
+  /** What only an effect reads may differ from 0 only where that effect is listed. Throws UserError. */
+  void check_not_idle(const std::string &parameter, double value, const std::string &effect) const;
   bool line_is_free() const { return line.motion == "free"; }
 };
 
