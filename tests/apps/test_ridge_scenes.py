@@ -104,7 +104,7 @@ class FreeLines(RidgeRuns):
 
     def test_stiff_substrates(self):
         """Young's law: 90 degrees, radius (3/pi)^(1/3)."""
-        q = self.ridge("Substrate/Young modulus=40")
+        q = self.ridge("Substrate/Young modulus=40", "Contact line/Cell size=0.004")
         self.assert_within(q["ridge_radius"], 0.986533, 5e-5)
         self.assert_within(q["contact_line_material_radius"], 0.986878, 1e-4)
         self.assertAlmostEqual(q["apparent_contact_angle_degrees"], 89.389, delta=0.03)
@@ -132,10 +132,10 @@ class FreeLines(RidgeRuns):
     def test_weight(self):
         q = self.ridge(effects("gravity", "free contact line"), "Droplet/Body force=0.2")
         self.assert_within(q["liquid_weight"], 0.4, 1e-9)
-        self.assert_within(q["contact_line_material_radius"], 1.136433, 1e-4)
-        self.assert_within(q["ridge_radius"], 1.114051, 1e-4)
-        self.assert_within(q["pressure"], 0.222687, 1e-4)
-        self.assert_within(q["gravity_energy"], 0.0760248, 2e-4)
+        self.assert_within(q["contact_line_material_radius"], 1.136433, 3e-4)
+        self.assert_within(q["ridge_radius"], 1.114051, 3e-4)
+        self.assert_within(q["pressure"], 0.222687, 3e-4)
+        self.assert_within(q["gravity_energy"], 0.0760248, 6e-4)
         self.assert_within(q["total_energy"], 1.3148784, 5e-5)
 
 
