@@ -147,9 +147,15 @@ class Variations(RidgeRuns):
         self.assertNotIn("material position", pinned.summary["unknowns"])
         self.assert_within(pinned.quantities["contact_line_material_radius"], 1, 1e-12)
         self.assertGreater(pinned.quantities["total_energy"], free.quantities["total_energy"] + 1e-5)
-        # The tensions of pinned_axial.prm want a line that is much smaller.
-        q = self.solve_ridge("pinned_axial", FREE_LINE, "Contact line/Radius=0.65", name="released").quantities
-        self.assertAlmostEqual(q["contact_line_material_radius"], 0.640, delta=0.002)
+
+    def test_far_from_its_start(self):
+        """The tensions of pinned_axial.prm want a line that is much smaller: found from nearby and, all at once, from the scene's radius."""
+        near = self.solve_ridge("pinned_axial", FREE_LINE, "Contact line/Radius=0.65", name="near")
+        self.assertAlmostEqual(near.quantities["contact_line_material_radius"], 0.640, delta=0.002)
+        far = self.solve(SCENES / "pinned_axial.prm", FREE_LINE, "Load/Smallest step=0.05", name="far")
+        self.assertEqual(far.summary["newton"]["steps"], 1)
+        self.assert_within(far.quantities["contact_line_material_radius"], near.quantities["contact_line_material_radius"], 3e-3)
+        self.assert_within(far.quantities["ridge_radius"], near.quantities["ridge_radius"], 2e-3)
 
     def test_weight_on_pinned_lines(self):
         """Reaction and weight, whatever holds the substrate; pressure and radius with sides that slide."""
