@@ -138,11 +138,26 @@ private:
       jumps           = JumpDetector(legs[here].parameter);
       suspected_jumps = 0;
       accepted        = legs[here].from;
-      if (!is_found([&] { return walk_load(first.load, [&](const double t) { return attempt(t); }) == 1.; }))
+      if (!is_found([&] { return walk_load(first.load, [&](const double t) { return attempt(t); }) == 1.; }) &&
+          !is_found_at_once())
         return false;
     }
     --here;
     return true;
+  }
+
+  /** The whole of a first stage of which not even the smallest part has led to an equilibrium. Weak loads may be the
+   * harder ones: under weak tensions a contact line that is free slides as far as under strong ones, over a solid that
+   * they do not deform. */
+  bool is_found_at_once()
+  {
+    if (here > 0 || !leg()->is_stage() || has_equilibrium())
+      return false;
+    const std::string before = failure;
+    if (is_found([&] { return attempt(1.); }))
+      return true;
+    failure = before;
+    return false;
   }
 
   /** At t of the leg. Where it begins there is an equilibrium already, or, at the first stage, need not be one. */

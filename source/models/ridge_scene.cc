@@ -147,22 +147,43 @@ void RidgeScene::check() const
     throw UserError("Droplet/Inclination = " + exact_text(droplet.inclination) +
                     " with Mesh/Symmetry = axial: on an inclined substrate the drop is not axisymmetric. Set Symmetry "
                     "to none.");
-  if (!has_effect("gravity") && droplet.body_force != 0.)
-    throw UserError("Droplet/Body force = " + exact_text(droplet.body_force) +
-                    " has no effect in this scene: add 'gravity' to Effects.");
+  if (!free_motions().empty() && substrate.lateral == "free" && has_effect("gravity") && droplet.inclination != 0.)
+    throw UserError("Droplet/Inclination = " + exact_text(droplet.inclination) +
+                    " with Substrate/Bottom = sliding and Lateral faces = free: nothing holds the substrate on the "
+                    "slope. Clamp the bottom, or let the lateral faces slide.");
+  check_not_idle("Droplet/Body force", droplet.body_force, "gravity");
+  check_not_idle("Droplet/Inclination", droplet.inclination, "gravity");
+  check_not_idle("Tensions/Solid liquid", tensions.solid_liquid, "solid skins");
+  check_not_idle("Tensions/Solid gas", tensions.solid_gas, "solid skins");
   for (const char *needed : {"solid", "liquid surface"})
     if (!has_effect(needed))
       throw UserError(std::string("The list Effects has no '") + needed +
                       "': a drop on a soft substrate needs it. Add it.");
-  if (!has_effect("volume constraint") && !has_effect("pressure"))
-    throw UserError("The list Effects has neither 'volume constraint' nor 'pressure': nothing keeps the drop from "
-                    "shrinking to a point. Add one of them.");
+  if (!has_effect("volume constraint"))
+    throw UserError("The list Effects has no 'volume constraint': nothing keeps the drop from shrinking to a point. "
+                    "Add it.");
   if (line_sticks() && !branch.parameter.empty())
     throw UserError("Continuation/Parameter = " + branch.parameter +
                     " with thresholds of 'free contact line' is not possible: what the line has dissipated does not "
                     "come back along a branch. Use section Load, or set both thresholds to 0.");
   start_mesh();
   SurfaceScene::check();
+}
+
+// Of a substrate in space that slides on its bottom; a mirror plane leaves the one along x.
+std::vector<RigidMotion> RidgeScene::free_motions() const
+{
+  if (is_axial() || substrate.bottom == "clamped" || substrate.lateral == "clamped")
+    return {};
+  std::vector<RigidMotion> motions;
+  const bool is_whole = substrate.part == "whole", is_free = substrate.lateral == "free";
+  if (is_free)
+    motions.push_back({{{1., 0., 0.}}, {}});
+  if (is_free && is_whole)
+    motions.push_back({{{0., 1., 0.}}, {}});
+  if (is_whole && (is_free || substrate.shape == "cylinder"))
+    motions.push_back({{}, {{0., 0., 1.}}});
+  return motions;
 }
 
 bool RidgeScene::line_sticks() const
@@ -172,11 +193,19 @@ bool RidgeScene::line_sticks() const
          (effect->parameters.advancing_threshold > 0. || effect->parameters.receding_threshold > 0.);
 }
 
+void RidgeScene::check_not_idle(const std::string &parameter, const double value, const std::string &effect) const
+{
+  if (value != 0. && !has_effect(effect))
+    throw UserError(parameter + " = " + exact_text(value) + " has no effect in this scene: add '" + effect +
+                    "' to Effects, or set it to 0.");
+}
+
+// Poisson's ratio decides whether cells have pressures of their own.
 bool RidgeScene::is_fixed(const std::string &parameter) const
 {
   for (const char *section :
        {"Contact line/", "Substrate/Shape", "Substrate/Half width", "Substrate/Thickness", "Substrate/Lateral faces",
-        "Substrate/Bottom", "Substrate/Part", "Substrate/Azimuthal", "Free contact line/"})
+        "Substrate/Bottom", "Substrate/Poisson ratio", "Substrate/Part", "Substrate/Azimuthal", "Free contact line/"})
     if (parameter.rfind(section, 0) == 0)
       return true;
   return SurfaceScene::is_fixed(parameter);
@@ -265,6 +294,7 @@ SurfaceDiscretization RidgeScene::start_mesh() const
   if (substrate.lateral == "sliding")
     for (const std::size_t node : substrate_of(made).faces.at("side"))
       keep_on_plane(made, node, side_normal(made, node, substrate.shape, substrate.half_width));
+  made.rigid_motions = free_motions();
   return made;
 }
 
@@ -293,5 +323,13 @@ std::vector<std::unique_ptr<ActiveSet>> RidgeScene::active_sets(const SurfaceDis
 SurfaceMeasures RidgeScene::measures(const Scales & /*scales*/) const
 {
   return measure_ridge;
+}
+
+RidgeScene make_ridge_scene(const EffectLibrary &library, const std::vector<std::string> &effects,
+                            const std::vector<std::string> &analyses)
+{
+  RidgeScene scene;
+  list_effects(scene, library, effects, analyses);
+  return scene;
 }
 } // namespace pellicle

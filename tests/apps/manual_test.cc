@@ -2,6 +2,7 @@
 // The manual's parameter chapters are what the parameter structs say.
 #include <pellicle/base/scene_text.h>
 #include <pellicle/models/droplet_scene.h>
+#include <pellicle/models/ridge_scene.h>
 #include <pellicle/models/vesicle_scene.h>
 
 #include <gtest/gtest.h>
@@ -45,5 +46,12 @@ TEST(Manual, ParametersOfDrops)
   const EffectLibrary library = droplet_effects();
   DropletScene scene          = make_droplet_scene(library, library.names(), {});
   compare("droplet_contact", "parameters_droplet_contact.md", library, {"stability"}, scene);
+}
+
+TEST(Manual, ParametersOfRidges)
+{
+  const EffectLibrary library = ridge_effects();
+  RidgeScene scene            = make_ridge_scene(library, library.names(), {});
+  compare("wetting_ridge", "parameters_wetting_ridge.md", library, {"stability"}, scene);
 }
 } // namespace

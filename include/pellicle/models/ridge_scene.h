@@ -94,8 +94,16 @@ protected:
 
 private:
   bool is_axial() const { return mesh.symmetry == "axial"; }
+  /** What only an effect reads may differ from 0 only where that effect is listed. Throws UserError. */
+  void check_not_idle(const std::string &parameter, double value, const std::string &effect) const;
   bool line_is_free() const { return line.motion == "free"; }
   /** Whether a free line has a threshold. */
   bool line_sticks() const;
+  std::vector<RigidMotion> free_motions() const;
 };
+
+/** A scene with the named effects of a library, parameters at their defaults. Throws UserError for an unknown effect.
+ */
+RidgeScene make_ridge_scene(const EffectLibrary &library, const std::vector<std::string> &effects,
+                            const std::vector<std::string> &analyses);
 } // namespace pellicle
