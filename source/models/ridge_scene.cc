@@ -145,6 +145,11 @@ void RidgeScene::check() const
     throw UserError("Droplet/Inclination = " + exact_text(droplet.inclination) +
                     " with Mesh/Symmetry = axial: on an inclined substrate the drop is not axisymmetric. Set Symmetry "
                     "to none.");
+  const bool turns = substrate.lateral == "sliding" && substrate.shape == "cylinder" && substrate.part == "whole";
+  if (!is_axial() && substrate.bottom == "sliding" && (substrate.lateral == "free" || turns))
+    throw UserError("Substrate/Bottom = sliding with Lateral faces = " + substrate.lateral +
+                    " in space: nothing keeps the substrate from " + (turns ? "turning" : "gliding away") +
+                    ". Set Bottom or Lateral faces to clamped" + (turns ? ", or Part to half." : "."));
   check_not_idle("Droplet/Body force", droplet.body_force, "gravity");
   check_not_idle("Droplet/Inclination", droplet.inclination, "gravity");
   check_not_idle("Tensions/Solid liquid", tensions.solid_liquid, "solid skins");

@@ -19,6 +19,8 @@ CASES = [
     (["Substrate/Young modulus=0"], ["Young modulus", "a number > 0"]),
     (["Substrate/Thickness=-1"], ["Thickness", "a number > 0"]),
     ([IN_SPACE, "Substrate/Azimuthal cells=12", "Contact line/Cell size=0.1"], ["contact line = 12", "multiple of 8"]),
+    ([IN_SPACE, "Substrate/Bottom=sliding"], ["Bottom = sliding", "Lateral faces = free", "gliding away", "clamped"]),
+    ([IN_SPACE, "Substrate/Bottom=sliding", "Substrate/Lateral faces=sliding", "Substrate/Part=whole"], ["turning", "Part to half"]),
     (["Contact line/Cell size=0"], ["Contact line", "Cell size", "a number > 0"]),
     (["Contact line/Cell size=0.4"], ["Cell size = 0.4", "between", "0.25"]),
     (["Contact line/Motion=fre"], ["Motion", "Did you mean 'free'", "'pinned' or 'free'"]),
