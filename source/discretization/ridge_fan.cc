@@ -11,10 +11,11 @@ namespace pellicle
 {
 namespace
 {
-constexpr double decay     = .6; ///< of what cells have above the smallest, from one to the next
-constexpr double thickest  = .3; ///< of all cells of a column, over the thickness
-constexpr double spread    = 1.; ///< greatest distance over which lines fan out, over the ring's radius
-constexpr std::size_t some = 4;  ///< fewer cells are equal
+constexpr double decay     = .6;  ///< of what cells have above the smallest, from one to the next
+constexpr double thickest  = .3;  ///< of all cells of a column, over the thickness
+constexpr double edge      = .25; ///< cell at the outer edge at least, over the ring's radius, however fine the mesh
+constexpr double spread    = 1.;  ///< greatest distance over which lines fan out, over the ring's radius
+constexpr std::size_t some = 4;   ///< fewer cells are equal
 
 /** Ends of n cells on [0, length] that become smaller, from `first` on where n equal ones would be smaller. */
 std::vector<double> coarse_at_the_top(const std::size_t n, const double length, const double first)
@@ -43,7 +44,7 @@ RidgeFan::RidgeFan(const RidgeShape &shape, const double inwards_)
 {
   const std::size_t n = below_line.size() - 1;
   const std::vector<double> far =
-      downwards(0., coarse_at_the_top(n, shape.thickness, shape.coarsest * shape.ring_radius));
+      downwards(0., coarse_at_the_top(n, shape.thickness, std::max(shape.coarsest, edge) * shape.ring_radius));
   const std::vector<double> unit = line_nodes(shape.degree);
   for (std::size_t cell = 0; cell < n; ++cell)
     for (unsigned int i = 0; i < shape.degree; ++i)

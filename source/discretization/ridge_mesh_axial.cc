@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "body_degree.h"
 #include "meridian_line.h"
 #include "ridge_fan.h"
 #include "ridge_lines.h"
@@ -17,7 +18,8 @@ namespace
 {
 /** Gauss points of the substrate's cells along each direction beyond their degree. At the line strains are singular,
  * and with as few as degree + 1 points a cell there may turn over between them. */
-constexpr unsigned int more_points = 3;
+constexpr unsigned int more_points    = 3;
+constexpr unsigned int highest_degree = 5;
 
 /** Meridian of the cap from the pole to the ring. The drop is smooth up to the line: its cells need not be as small. */
 SurfaceDiscretization cap_meridian(const RidgeShape &shape)
@@ -47,6 +49,7 @@ SurfaceDiscretization cap_meridian(const RidgeShape &shape)
 SurfaceDiscretization axial_ridge(const RidgeShape &shape)
 {
   check_ridge(shape);
+  check_body_degree(shape.degree, highest_degree);
   const double a = shape.ring_radius;
   const RidgeFan fan(shape, a);
   CylinderShape lines               = {downwards(a, graded_ends(a, shape.cell_size, shape)), fan.column()};

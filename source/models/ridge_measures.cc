@@ -2,6 +2,7 @@
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/base/constants.h>
 #include <pellicle/discretization/point_walk.h>
+#include <pellicle/models/eshelby_forces.h>
 #include <pellicle/models/largest_value.h>
 #include <pellicle/models/ridge_measures.h>
 #include <pellicle/models/sheet_tangents.h>
@@ -76,10 +77,12 @@ Vector3<double> reaction(const SurfaceModel &model)
   Vector3<double> sum;
   for (const std::size_t node : held)
     sum += vector_at(forces, node);
-  // On a meridian and with a mirror plane the forces across it belong to its other side.
+  // On a meridian the forces across the axis, and on half a model those across its plane, balance.
   if (mesh.kind == SurfaceDiscretization::Kind::meridian)
     return {0., 0., sum[2]};
-  return sum;
+  const EdgeLoop &line = mesh.edges.front();
+  const bool is_half   = line.cell_nodes.front() != line.cell_nodes.back();
+  return {sum[0], is_half ? 0. : sum[1], sum[2]};
 }
 
 struct Regions
@@ -180,6 +183,13 @@ std::vector<NamedQuantity> measure_ridge(const SurfaceModel &model)
   report("neumann_angle_gas_degrees", gas.mean(), dimensions::none);
   report("neumann_angle_solid_degrees", 360. - liquid.mean() - gas.mean(), dimensions::none);
   report("line_force_imbalance", imbalance.mean(), dimensions::none);
+  if (fields.has("material position"))
+  {
+    AlongLine eshelby;
+    for (const auto &[node, force] : eshelby_forces(problem, line, line_shift(surface)))
+      eshelby.add(force.per_length(), force.length);
+    report_along("line_eshelby_force", eshelby, dimensions::tension);
+  }
   const Vector3<double> held = reaction(model);
   report("substrate_reaction_x", held[0], force_dimension);
   report("substrate_reaction_y", held[1], force_dimension);

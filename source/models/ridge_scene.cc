@@ -5,10 +5,12 @@
 #include <pellicle/discretization/bodies.h>
 #include <pellicle/discretization/line_shift.h>
 #include <pellicle/discretization/ridge_mesh.h>
+#include <pellicle/models/material_line_pinning.h>
 #include <pellicle/models/ridge_measures.h>
 #include <pellicle/models/ridge_scene.h>
 #include <pellicle/potentials/solids/moving_reference.h>
 #include <pellicle/potentials/solids/solid_effect.h>
+#include <pellicle/potentials/wetting/free_contact_line.h>
 
 #include <cmath>
 
@@ -145,11 +147,10 @@ void RidgeScene::check() const
     throw UserError("Droplet/Inclination = " + exact_text(droplet.inclination) +
                     " with Mesh/Symmetry = axial: on an inclined substrate the drop is not axisymmetric. Set Symmetry "
                     "to none.");
-  const bool turns = substrate.lateral == "sliding" && substrate.shape == "cylinder" && substrate.part == "whole";
-  if (!is_axial() && substrate.bottom == "sliding" && (substrate.lateral == "free" || turns))
-    throw UserError("Substrate/Bottom = sliding with Lateral faces = " + substrate.lateral +
-                    " in space: nothing keeps the substrate from " + (turns ? "turning" : "gliding away") +
-                    ". Set Bottom or Lateral faces to clamped" + (turns ? ", or Part to half." : "."));
+  if (!free_motions().empty() && substrate.lateral == "free" && has_effect("gravity") && droplet.inclination != 0.)
+    throw UserError("Droplet/Inclination = " + exact_text(droplet.inclination) +
+                    " with Substrate/Bottom = sliding and Lateral faces = free: nothing holds the substrate on the "
+                    "slope. Clamp the bottom, or let the lateral faces slide.");
   check_not_idle("Droplet/Body force", droplet.body_force, "gravity");
   check_not_idle("Droplet/Inclination", droplet.inclination, "gravity");
   check_not_idle("Tensions/Solid liquid", tensions.solid_liquid, "solid skins");
@@ -161,8 +162,35 @@ void RidgeScene::check() const
   if (!has_effect("volume constraint"))
     throw UserError("The list Effects has no 'volume constraint': nothing keeps the drop from shrinking to a point. "
                     "Add it.");
+  if (line_sticks() && !branch.parameter.empty())
+    throw UserError("Continuation/Parameter = " + branch.parameter +
+                    " with thresholds of 'free contact line' is not possible: what the line has dissipated does not "
+                    "come back along a branch. Use section Load, or set both thresholds to 0.");
   start_mesh();
   SurfaceScene::check();
+}
+
+// Of a substrate in space that slides on its bottom; a mirror plane leaves the one along x.
+std::vector<RigidMotion> RidgeScene::free_motions() const
+{
+  if (is_axial() || substrate.bottom == "clamped" || substrate.lateral == "clamped")
+    return {};
+  std::vector<RigidMotion> motions;
+  const bool is_whole = substrate.part == "whole", is_free = substrate.lateral == "free";
+  if (is_free)
+    motions.push_back({{{1., 0., 0.}}, {}});
+  if (is_free && is_whole)
+    motions.push_back({{{0., 1., 0.}}, {}});
+  if (is_whole && (is_free || substrate.shape == "cylinder"))
+    motions.push_back({{}, {{0., 0., 1.}}});
+  return motions;
+}
+
+bool RidgeScene::line_sticks() const
+{
+  const auto *effect = find<FreeContactLineEffect>();
+  return line_is_free() && effect != nullptr &&
+         (effect->parameters.advancing_threshold > 0. || effect->parameters.receding_threshold > 0.);
 }
 
 void RidgeScene::check_not_idle(const std::string &parameter, const double value, const std::string &effect) const
@@ -177,7 +205,7 @@ bool RidgeScene::is_fixed(const std::string &parameter) const
 {
   for (const char *section :
        {"Contact line/", "Substrate/Shape", "Substrate/Half width", "Substrate/Thickness", "Substrate/Lateral faces",
-        "Substrate/Bottom", "Substrate/Poisson ratio", "Substrate/Part", "Substrate/Azimuthal"})
+        "Substrate/Bottom", "Substrate/Poisson ratio", "Substrate/Part", "Substrate/Azimuthal", "Free contact line/"})
     if (parameter.rfind(section, 0) == 0)
       return true;
   return SurfaceScene::is_fixed(parameter);
@@ -266,6 +294,7 @@ SurfaceDiscretization RidgeScene::start_mesh() const
   if (substrate.lateral == "sliding")
     for (const std::size_t node : substrate_of(made).faces.at("side"))
       keep_on_plane(made, node, side_normal(made, node, substrate.shape, substrate.half_width));
+  made.rigid_motions = free_motions();
   return made;
 }
 
@@ -280,6 +309,15 @@ NodalConditions RidgeScene::conditions(const SurfaceDiscretization &surface, con
   if (line_is_free())
     conditions[material_position] = shift_of_material(surface);
   return conditions;
+}
+
+std::vector<std::unique_ptr<ActiveSet>> RidgeScene::active_sets(const SurfaceDiscretization &surface,
+                                                                const SceneTargets &targets) const
+{
+  std::vector<std::unique_ptr<ActiveSet>> list;
+  if (line_sticks())
+    list.push_back(std::make_unique<MaterialLinePinning>(surface, targets));
+  return list;
 }
 
 SurfaceMeasures RidgeScene::measures(const Scales & /*scales*/) const

@@ -271,7 +271,7 @@ void SurfaceModel::apply_active_sets()
   for (const auto &active : active_sets)
   {
     active->add_conditions(conditions);
-    active->place(state.fields[0]);
+    active->place(state.fields);
     rigid_gauge = rigid_gauge && active->leaves_rigid_motions();
   }
   problem->set_rigid_gauge(rigid_gauge);

@@ -40,8 +40,9 @@ SurfaceProblem::NodalForces SurfaceProblem::nodal_forces() const
   return forces;
 }
 
-NodalVectors SurfaceProblem::nodal_forces(const PotentialSet &part) const
+NodalVectors SurfaceProblem::nodal_forces(const PotentialSet &part, const std::string &field) const
 {
+  const std::size_t first = 3 * field_layout.index(field);
   NodalVectors sum(3 * surface.n_nodes, 0.);
   Assembler other(surface, field_layout, part, communicator, Assembler::everything(part, field_layout));
   other.loop(part, current.fields, current.multipliers, Order::gradient,
@@ -49,7 +50,7 @@ NodalVectors SurfaceProblem::nodal_forces(const PotentialSet &part) const
              {
                for (unsigned int c = 0; c < 3; ++c)
                  for (std::size_t i = 0; i < cell.n_nodes; ++i)
-                   sum[3 * cell.nodes[i] + c] += element.gradient[c * cell.n_nodes + i];
+                   sum[3 * cell.nodes[i] + c] += element.gradient[(first + c) * cell.n_nodes + i];
              });
   communicator.sum(sum);
   return sum;

@@ -189,7 +189,7 @@ TEST(LineShift, ShrinksWithTheRoom)
     for (const char *face : {"side", "bottom"})
       for (const std::size_t I : ridge.bulks.front().faces.at(face))
         EXPECT_EQ(shift.weight[I], 0.);
-    for (const double s : {-.08, .08})
+    for (const double s : {-.04, .04})
       EXPECT_GT(body_measures(ridge.bulks.front(), shifted(ridge, shift, s)).worst_jacobian, 0.) << s;
   }
 }

@@ -24,7 +24,8 @@ struct RidgeShape
 /**
  * The meridian of a ridge: quadrilaterals of degree 1 to 5 in the substrate. Upright lines are graded towards r =
  * ring_radius from both sides; the others are graded towards z = 0 below the contact line and fan out from there, so
- * that at the axis and at the outer edge the uppermost cell is about as high as `coarsest`.
+ * that at the axis and at the outer edge the uppermost cell is as high as `coarsest`, or a quarter of the ring's
+ * radius.
  *
  * Regions of the surface: "liquid gas", the cap from the pole to the ring; "solid liquid", from the ring to the axis,
  * n = -e_z, so that both together bound the liquid; "solid gas", from the ring to the side, n = e_z. The line

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/assembly/field_layout.h>
 #include <pellicle/assembly/nodal_conditions.h>
 #include <pellicle/potentials/effect.h>
 
@@ -31,8 +32,9 @@ public:
   /** Adds the terms that the statuses bring. Number and places of the terms must not depend on the statuses; what they
    * hold may be shared with this object and change with them. */
   virtual void add_potentials(PotentialSet & /*set*/) const {}
-  /** Moves nodes to where their statuses want them before the next equilibrium is looked for. */
-  virtual void place(NodalVectors & /*positions*/) const {}
+  /** Moves nodes to where their statuses want them before the next equilibrium is looked for: values of all fields, the
+   * positions first. */
+  virtual void place(FieldValues & /*fields*/) const {}
   /** Whether the scene's rigid motions still cost no energy with these statuses, so that they must be a gauge. */
   virtual bool leaves_rigid_motions() const { return true; }
   /** New statuses at the problem's present equilibrium; returns how many nodes changed theirs. Throws SolveError if no

@@ -79,6 +79,9 @@ public:
   std::vector<LoadStage> load_stages() const override;
   std::vector<SceneEdge> edges() const override;
   NodalConditions conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const override;
+  /** Of a free line with thresholds. */
+  std::vector<std::unique_ptr<ActiveSet>> active_sets(const SurfaceDiscretization &surface,
+                                                      const SceneTargets &targets) const override;
   SurfaceMeasures measures(const Scales &scales) const override;
   void add_references(const SurfaceDiscretization &start, SceneTargets &targets) const override;
 
@@ -94,6 +97,9 @@ private:
   /** What only an effect reads may differ from 0 only where that effect is listed. Throws UserError. */
   void check_not_idle(const std::string &parameter, double value, const std::string &effect) const;
   bool line_is_free() const { return line.motion == "free"; }
+  /** Whether a free line has a threshold. */
+  bool line_sticks() const;
+  std::vector<RigidMotion> free_motions() const;
 };
 
 /** A scene with the named effects of a library, parameters at their defaults. Throws UserError for an unknown effect.

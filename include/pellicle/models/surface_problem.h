@@ -100,8 +100,8 @@ public:
   NodalForces nodal_forces() const;
   /** The part of pair terms in the total. */
   NodalVectors pair_forces() const;
-  /** The same of other energies with the same constraints, the total. */
-  NodalVectors nodal_forces(const PotentialSet &part) const;
+  /** The total of other energies with the same constraints; also with respect to another field of the layout. */
+  NodalVectors nodal_forces(const PotentialSet &part, const std::string &field = "position") const;
   /** The body on which a node stays; null: none. */
   std::shared_ptr<const RigidBody> body_of(std::size_t node) const;
   /** Gradient of further energies (of fields that the layout has) with respect to the unknowns of the present chart;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/potentials/density_potential.h>
+#include <pellicle/potentials/material_position.h>
 #include <pellicle/potentials/wetting/base_integral.h>
 #include <pellicle/potentials/wetting/line_friction.h>
 
@@ -16,13 +17,25 @@ BaseIntegral<Chart, AreaIntegrand> wetted_area(const Chart &chart)
   return {chart, {}, std::is_same<Chart, PlaneChart>::value ? &middle_rule() : &ray_rule()};
 }
 
-template <typename Chart>
+struct MaterialArea
+{
+  static constexpr std::array<FieldUse, 1> fields{
+      {{material_position, Derivatives::first, FieldRole::independent, FieldSpace::material_places}}};
+
+  template <typename Number>
+  Number along_line(const Vector3<Number> &X, const Vector3<Number> &dX) const
+  {
+    return 0.5 * (X[0] * dX[1] - X[1] * dX[0]);
+  }
+};
+
+template <typename Area>
 struct LineFriction
 {
-  static constexpr std::array<FieldUse, 1> fields   = BaseIntegral<Chart, AreaIntegrand>::fields;
+  static constexpr std::array<FieldUse, 1> fields   = Area::fields;
   static constexpr bool reparametrisation_invariant = true;
 
-  BaseIntegral<Chart, AreaIntegrand> area;
+  Area area;
   std::shared_ptr<const LineFrictionState> state;
 
   template <typename Number>
@@ -44,7 +57,7 @@ std::shared_ptr<const Potential> make_line_friction(const std::string &name, con
   return std::visit(
       [&](const auto &substrate) -> std::shared_ptr<const Potential>
       {
-        using Density = LineFriction<std::decay_t<decltype(substrate)>>;
+        using Density = LineFriction<decltype(wetted_area(substrate))>;
         return std::make_shared<DensityPotential<Density>>(name, Density{wetted_area(substrate), std::move(state)},
                                                            Where{Where::Part::edge, edge});
       },
@@ -54,5 +67,19 @@ std::shared_ptr<const Potential> make_line_friction(const std::string &name, con
 double wetted_area_density(const SubstrateChart &chart, const Vector3<double> &x, const Vector3<double> &dx)
 {
   return std::visit([&](const auto &substrate) { return wetted_area(substrate).along_line(x, dx); }, chart);
+}
+
+std::shared_ptr<const Potential> make_material_line_friction(const std::string &name,
+                                                             std::shared_ptr<const LineFrictionState> state,
+                                                             const std::string &edge)
+{
+  using Density = LineFriction<MaterialArea>;
+  return std::make_shared<DensityPotential<Density>>(name, Density{{}, std::move(state)},
+                                                     Where{Where::Part::edge, edge});
+}
+
+double material_area_density(const Vector3<double> &X, const Vector3<double> &dX)
+{
+  return MaterialArea().along_line(X, dX);
 }
 } // namespace pellicle

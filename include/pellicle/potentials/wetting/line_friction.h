@@ -40,4 +40,15 @@ std::shared_ptr<const Potential> make_line_friction(const std::string &name, con
 
 /** Density of the wetted area's line integral at a point x of the line with derivative dx along its parameter. */
 double wetted_area_density(const SubstrateChart &chart, const Vector3<double> &x, const Vector3<double> &dx);
+
+/**
+ * The same for a line that slips over the material of a soft substrate: S_c is the area of the undeformed top, in the
+ * plane z = const, between the material points of cell c and the axis. With f_c = Y where the line advances and -Y
+ * where it recedes, the force that opposes its motion is Y per length of the line of material points.
+ */
+std::shared_ptr<const Potential> make_material_line_friction(const std::string &name,
+                                                             std::shared_ptr<const LineFrictionState> state,
+                                                             const std::string &edge);
+/** (1/2)(X dY - Y dX) at a material point X of the line with derivative dX. */
+double material_area_density(const Vector3<double> &X, const Vector3<double> &dX);
 } // namespace pellicle
