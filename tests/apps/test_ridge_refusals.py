@@ -19,6 +19,7 @@ CASES = [
     (["Substrate/Young modulus=0"], ["Young modulus", "a number > 0"]),
     (["Substrate/Thickness=-1"], ["Thickness", "a number > 0"]),
     ([IN_SPACE, "Substrate/Azimuthal cells=12", "Contact line/Cell size=0.1"], ["contact line = 12", "multiple of 8"]),
+    ([IN_SPACE, "Substrate/Bottom=sliding", effects("gravity"), "Droplet/Inclination=20"], ["Inclination = 20", "on the slope", "Clamp"]),
     (["Contact line/Cell size=0"], ["Contact line", "Cell size", "a number > 0"]),
     (["Contact line/Cell size=0.4"], ["Cell size = 0.4", "between", "0.25"]),
     (["Contact line/Motion=fre"], ["Motion", "Did you mean 'free'", "'pinned' or 'free'"]),
@@ -38,6 +39,8 @@ CASES = [
     (["Mesh/File=soft.msh"], ["soft.msh", "own mesh"]),
     (["Load/Parameter=Contact line/Radius", "Load/To=1.1"], ["Contact line/Radius", "cannot change"]),
     (["Load/Parameter=Substrate/Poisson ratio", "Load/To=0.5"], ["Poisson ratio", "cannot change"]),
+    ([effects("free contact line"), "Contact line/Motion=free", "Free contact line/Advancing threshold=0.01",
+      "Continuation/Parameter=Tensions/Scale"], ["Continuation/Parameter = Tensions/Scale", "dissipated", "Load"]),
     (["Vesicle/Area=1"], ["Vesicle", "no section", "'Droplet'"]),
 ]
 
