@@ -16,9 +16,6 @@ namespace pellicle
 {
 namespace
 {
-/** Gauss points of the substrate's cells along each direction beyond their degree. At the line strains are singular,
- * and with as few as degree + 1 points a cell there may turn over between them. */
-constexpr unsigned int more_points    = 3;
 constexpr unsigned int highest_degree = 5;
 
 /** Meridian of the cap from the pole to the ring. The drop is smooth up to the line: its cells need not be as small. */
@@ -61,7 +58,7 @@ SurfaceDiscretization axial_ridge(const RidgeShape &shape)
   SurfaceDiscretization result = cylinder(substrate_body, lines, shape.degree);
   for (std::size_t I = 0; I < result.n_nodes; ++I) // upwards, column by column
     result.positions[3 * I + 2] = fan.height(I % fan.n_levels(), result.positions[3 * I]);
-  result.bulks.front().tables = make_revolved_quad_tables(shape.degree, shape.degree + more_points);
+  result.bulks.front().tables = make_revolved_quad_tables(shape.degree, substrate_points(shape.degree));
 
   const std::vector<std::size_t> top = std::move(result.cell_nodes);
   const std::size_t n_local = result.n_local(), ring = top[n_wetted * n_local];

@@ -51,7 +51,7 @@ BulkPart extruded(const SurfaceDiscretization &top, const RidgeFan &fan)
 {
   BulkPart body;
   body.name   = substrate_body;
-  body.tables = make_hexahedron_tables(top.degree, top.degree + 1);
+  body.tables = make_hexahedron_tables(top.degree, substrate_points(top.degree));
   for (std::size_t layer = 0; layer + 1 < fan.n_levels(); layer += top.degree)
     for (std::size_t cell = 0; cell < top.n_cells; ++cell, ++body.n_cells)
       for (std::size_t k = 0; k <= top.degree; ++k)

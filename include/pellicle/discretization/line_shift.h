@@ -26,8 +26,8 @@ struct LineShift
  * that is stretched would pin the line. w = w_r(r) w_z(z), each factor 1 up to a distance of 0.35 ring radii from the
  * line where there is room, and twice continuously differentiable down to 0 before the axis (in space: at the cells
  * around it that follow no meridian planes), the cells at the outer edge and the bottom. Where there is less room, the
- * rigid part gives way to the decay, down to a quarter of the room: Jacobians stay positive for |s| up to 0.3 ring
- * radii on substrates at least as thick as the ring's radius and twice as wide.
+ * rigid part gives way to the decay, down to a quarter of the room: Jacobians stay positive for s from -0.25 to 0.3
+ * ring radii on substrates at least as thick as the ring's radius and twice as wide.
  */
 LineShift line_shift(const SurfaceDiscretization &ridge);
 
