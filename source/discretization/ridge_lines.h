@@ -24,9 +24,9 @@ std::vector<double> graded_ends(double length, double size, const RidgeShape &sh
 /** from - ends (descending input, ascending result): cells graded towards `from` from below. */
 std::vector<double> downwards(double from, const std::vector<double> &ends);
 
-/** Gauss points of the substrate's cells along each direction. At the line strains are singular, and with as few as
- * degree + 1 points a cell there turns over between them: in space at a size of .0125 ring radii under the tensions of
- * Sauer 2014. */
+/** Gauss points of the cells of substrate and surfaces along each direction. At the line strains are singular, and with
+ * as few as degree + 1 points a cell there turns inside out between them and lowers its energy: the surface folds, in
+ * space at a size of .0125 ring radii under the tensions of Sauer 2014 (doc/numerics.md, "Wetting ridges"). */
 constexpr unsigned int substrate_points(const unsigned int degree)
 {
   return degree + 3;

@@ -58,6 +58,7 @@ SurfaceDiscretization axial_ridge(const RidgeShape &shape)
   SurfaceDiscretization result = cylinder(substrate_body, lines, shape.degree);
   for (std::size_t I = 0; I < result.n_nodes; ++I) // upwards, column by column
     result.positions[3 * I + 2] = fan.height(I % fan.n_levels(), result.positions[3 * I]);
+  result.tables               = make_meridian_tables(shape.degree, substrate_points(shape.degree), false);
   result.bulks.front().tables = make_revolved_quad_tables(shape.degree, substrate_points(shape.degree));
 
   const std::vector<std::size_t> top = std::move(result.cell_nodes);

@@ -131,7 +131,8 @@ SurfaceDiscretization ridge_in_space(const RidgeShape &shape, const RidgePlanSha
   check_plan(shape, plan);
   const SurfacePart top = ridge_top(shape, plan);
   const RidgeFan fan(shape, way_to_core * shape.ring_radius);
-  SurfaceDiscretization result    = ridge_cap(shape, plan); // for its tables; nodes of the body come first
+  SurfaceDiscretization result    = ridge_cap(shape, plan); // for its loop; nodes of the body come first
+  result.tables                   = make_surface_tables(shape.degree, substrate_points(shape.degree));
   const SurfaceDiscretization cap = result;
 
   BulkPart body                  = extruded(top.surface, fan);

@@ -25,19 +25,6 @@ const BulkPart &substrate_of(const SurfaceDiscretization &mesh)
   return mesh.bulks.front();
 }
 
-/**
- * More Gauss points than polynomials ask for. Near the line of a pinned drop a cell is squeezed to a fraction of its
- * volume and by far unevenly; with k + 1 points a direction it can turn inside out between them and lower its energy:
- * the surface folds at the line, from a mesh size on that depends on the points. With k + 3 it does not
- * (doc/numerics.md, "Wetting ridges").
- */
-void integrate_finely(SurfaceDiscretization &meridian)
-{
-  const unsigned int k = meridian.degree, n = k + 3;
-  meridian.tables               = make_meridian_tables(k, n, false);
-  meridian.bulks.front().tables = make_revolved_quad_tables(k, n);
-}
-
 /** One number for each node of the line; the nodes of its meridian plane follow. */
 FieldConditions shift_of_material(const SurfaceDiscretization &mesh)
 {
@@ -285,8 +272,6 @@ SurfaceDiscretization RidgeScene::start_mesh() const
   plan.n_around = static_cast<unsigned int>(substrate.azimuthal_cells);
   plan.half     = substrate.part == "half";
   SurfaceDiscretization made = is_axial() ? axial_ridge(shape) : ridge_in_space(shape, plan);
-  if (is_axial())
-    integrate_finely(made);
   if (SolidEffect::uses_pressure(substrate.poisson))
     add_pressure_nodes(made, 0);
   if (substrate.bottom == "sliding")
