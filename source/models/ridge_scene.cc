@@ -105,7 +105,7 @@ void SoftSubstrateParameters::bind(ParameterSection &section)
   section.choice("Lateral faces", lateral, {"free", "sliding", "clamped"},
                  "free: no traction. sliding: no normal (radial) displacement, free vertically. clamped: held.");
   section.choice("Bottom", bottom, {"clamped", "sliding"}, "clamped: held. sliding: held vertically only.");
-  section.integer("Azimuthal cells", azimuthal_cells, 8, 256,
+  section.integer("Azimuthal cells", azimuthal_cells, 8, 512,
                   "Cells around the whole contact line in space, a multiple of 8.");
   section.choice("Part", part, {"half", "whole"},
                  "In space: half of the model, y >= 0, whose mirror image is the rest (the scene is symmetric), or the "
