@@ -38,6 +38,19 @@ void warn_of_folds(const SurfaceModel &model, RunResult &result)
                                 "Use Newton/Chart = automatic, a finer mesh, or load steps.");
 }
 
+/** A surface of a drop that leaves its line downwards goes through the dry substrate, which it does not see. */
+void warn_of_penetration(RunResult &result)
+{
+  for (const auto &[name, value] : result.quantities)
+    if (name.rfind("apparent_contact_angle_degrees", 0) == 0 && value > 180.)
+    {
+      result.warnings.push_back(name + " is " + exact_text(value) +
+                                ": the drop leans over its contact line and through the dry substrate. Contact with it "
+                                "is not part of the model; a smaller weight or inclination avoids it.");
+      return;
+    }
+}
+
 /** A number of the scene goes from one value to another: a stage of the scene's own load path, or section Load. */
 struct Leg
 {
@@ -97,7 +110,10 @@ public:
     if (!arrived)
       explain_or_continue();
     if (result.status == RunStatus::converged)
+    {
       warn_of_folds(model, result);
+      warn_of_penetration(result);
+    }
     return result;
   }
 

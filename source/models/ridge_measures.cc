@@ -58,6 +58,13 @@ double polar_angle(const Vector3<double> &tangent, const Vector3<double> &outwar
   return angle < 0. ? angle + 2. * pi : angle;
 }
 
+/** Angle through the liquid between a cap's tangent and the horizontal, from its polar angle: above pi where the cap
+ * leaves the line downwards and away from the drop. */
+double apparent_angle(const double polar)
+{
+  return pi - (polar > 1.5 * pi ? polar - 2. * pi : polar);
+}
+
 double wrapped(const double angle)
 {
   return angle < 0. ? angle + 2. * pi : angle;
@@ -157,7 +164,7 @@ std::vector<NamedQuantity> measure_ridge(const SurfaceModel &model)
     height.add(x[2], length);
     radius.add(std::hypot(x[0], x[1]), length);
     material_radius.add(std::hypot(X[0], X[1]), length);
-    apparent.add((pi - angle[0]) / degree, length);
+    apparent.add(apparent_angle(angle[0]) / degree, length);
     liquid.add(wrapped(angle[1] - angle[0]) / degree, length);
     gas.add(wrapped(angle[0] - angle[2]) / degree, length);
     // Along the line a solid's forces are stresses of its own; what is left must balance the three tensions.

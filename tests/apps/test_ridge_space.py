@@ -22,6 +22,8 @@ class Space(RidgeTest):
         self.assert_within(q["substrate_reaction_z"], 0.4 * math.cos(angle), 1e-6)
         self.assertLess(q["ridge_height_min"], -0.08)  # where the drop leans over
         self.assertGreater(q["ridge_height_max"], 0.03)
+        leans_over = q["apparent_contact_angle_degrees_max"] > 180  # through the dry substrate: reported
+        self.assertEqual(len(run.summary["warnings"]), 1 if leans_over else 0)
         steps = [int(row["step"]) for row in run.table("convergence.csv")]
         self.assertLessEqual(max(steps.count(step) for step in set(steps)), 12)
 
