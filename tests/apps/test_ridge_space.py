@@ -38,6 +38,14 @@ class Space(RidgeTest):
         self.assertLess(spread, 2e-3)
         self.assertAlmostEqual(run.quantities["substrate_reaction_z"], 0, delta=1e-10)
 
+    def test_a_substrate_that_slides_on_its_bottom_is_free_to_move_along_the_mirror_plane(self):
+        sliding = ("Mesh/Refinements=0", "Contact line/Cell size=0.2", "Substrate/Bottom=sliding")
+        axial = self.solve(SCENES / "unpinned.prm", "Mesh/Degree=2", *sliding).quantities
+        run = self.solve(SCENES / "unpinned_3d.prm", "Substrate/Azimuthal cells=8", *sliding)
+        self.assertEqual(run.summary["unknowns"]["rigid motions"], 1)
+        for name in ("contact_line_material_radius", "ridge_radius", "pressure", "total_energy"):
+            self.assert_within(run.quantities[name], axial[name], 5e-3)
+
 
 if __name__ == "__main__":
     unittest.main()
