@@ -14,8 +14,8 @@ import math
 import os
 import sys
 
-from render_surface import (INK, WIDTH, HEIGHT, CannotDraw, all_closed, box_of, colour_bar, colour_map, colour_range, coloured_actor, fill_view,
-                            grey_actor, text, view_aspect, write_picture)
+from render_surface import (INK, CannotDraw, all_closed, box_of, colour_bar, colour_map, colour_range, coloured_actor, fill_view,
+                            grey_actor, text, view_aspect, white_window, write_picture)
 
 try:
     from vtkmodules.vtkCommonCore import reference, vtkDoubleArray, vtkPoints
@@ -28,7 +28,7 @@ try:
     from vtkmodules.vtkFiltersGeneral import vtkContourTriangulator, vtkTransformPolyDataFilter
     from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
     from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
-    from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+    from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 except ImportError as error:
     print(f"VTK for Python is missing ({error}; on Debian: apt-get install python3-vtk9).", file=sys.stderr)
     sys.exit(3)
@@ -354,14 +354,7 @@ def draw(surface, body, field, title):
     section = Section(surface, body, field.startswith("displacement"))
     low, high = section.range
     colours = colour_map(low, high)
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(8)
-    window.SetSize(WIDTH, HEIGHT)
-    window.SetNumberOfLayers(2)
-    paper = vtkRenderer()
-    paper.SetBackground(1, 1, 1)
-    window.AddRenderer(paper)
+    window = white_window()
 
     boxes = [data.GetBounds() for data in (section.body, section.cap)]
     bottom, top = min(b[4] for b in boxes), max(b[5] for b in boxes)

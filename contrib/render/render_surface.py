@@ -410,20 +410,24 @@ def colour_bar(colours, low, high):
     return bar
 
 
-def draw(surface, field, title, beside):
-    """The render window with everything in it."""
-    low, high = colour_range(surface, field)
-    colours = colour_map(low, high)
+def white_window():
+    """White paper below, for views to stand on; text and colour bar go on a transparent layer above."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
     window.SetSize(WIDTH, HEIGHT)
-
-    # White paper below, the two views on it, text and colour bar on a transparent layer above.
     window.SetNumberOfLayers(2)
     paper = vtkRenderer()
     paper.SetBackground(1, 1, 1)
     window.AddRenderer(paper)
+    return window
+
+
+def draw(surface, field, title, beside):
+    """The render window with everything in it."""
+    low, high = colour_range(surface, field)
+    colours = colour_map(low, high)
+    window = white_window()
     for view in (main_view(surface, colours, beside), section_view(surface, colours, beside)):
         window.AddRenderer(view)
     page = vtkRenderer()

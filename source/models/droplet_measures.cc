@@ -4,6 +4,7 @@
 #include <pellicle/models/contact_line_measures.h>
 #include <pellicle/models/droplet_measures.h>
 #include <pellicle/models/largest_value.h>
+#include <pellicle/models/region_measures.h>
 #include <pellicle/potentials/wetting/base_integral.h>
 
 #include <algorithm>
@@ -13,19 +14,10 @@ namespace pellicle
 {
 namespace
 {
-/** p = P + f . x. */
-struct Pressure
-{
-  double at_origin = 0.;
-  Vector3<double> force;
-
-  double operator()(const Vector3<double> &x) const { return at_origin + dot(force, x); }
-};
-
 /** z component of the pressure on the base, which pushes against `area`. */
 struct PressureForceIntegrand
 {
-  Pressure pressure;
+  LiquidPressure pressure;
 
   double operator()(const PlaceOnSubstrate<double> &S) const { return pressure(S.place) * S.area[2]; }
 };
@@ -55,32 +47,6 @@ double over_base(const SurfaceDiscretization &surface, const WettedBase &base, c
       base.chart);
 }
 
-/** What a region of the surface measures: its area, its share of the volume, z component of the pressure's push
- * outwards. */
-struct RegionMeasures
-{
-  double area = 0., volume = 0., push = 0.;
-};
-
-std::vector<RegionMeasures> measure_regions(const SurfaceDiscretization &surface, const NodalVectors &positions,
-                                            const Pressure &pressure)
-{
-  std::vector<RegionMeasures> regions(std::max<std::size_t>(1, surface.region_names.size()));
-  for_all_cells(surface.tables, surface.cell_nodes, positions, 3,
-                [&](const WalkCell &cell)
-                {
-                  auto &region = regions[surface.cell_region.empty() ? 0 : surface.cell_region[cell.number]];
-                  for (unsigned int q = 0; q < surface.tables.n_points; ++q)
-                  {
-                    const Vector3<double> dA = cell[q].weight * cross(cell[q][1], cell[q][2]);
-                    region.area += norm(dA);
-                    region.volume += dot(cell[q][0], dA) / 3.;
-                    region.push += pressure(cell[q][0]) * dA[2];
-                  }
-                });
-  return regions;
-}
-
 /** z components of the forces with which the surface presses on each body. */
 std::vector<double> contact_forces(const SurfaceModel &model)
 {
@@ -102,7 +68,7 @@ std::vector<NamedQuantity> measure_droplet(const SurfaceModel &model)
   const NodalVectors positions         = model.positions();
   const DropletTargets &drop           = model.scene_targets().drop();
 
-  Pressure pressure;
+  LiquidPressure pressure;
   for (const NamedQuantity &force : model.forces())
     if (force.name == "pressure")
       pressure.at_origin = force.value;

@@ -4,8 +4,10 @@
 #include <pellicle/discretization/point_walk.h>
 #include <pellicle/models/eshelby_forces.h>
 #include <pellicle/models/largest_value.h>
+#include <pellicle/models/region_measures.h>
 #include <pellicle/models/ridge_measures.h>
 #include <pellicle/models/sheet_tangents.h>
+#include <pellicle/potentials/material_position.h>
 
 #include <algorithm>
 #include <array>
@@ -91,30 +93,6 @@ Vector3<double> reaction(const SurfaceModel &model)
   const bool is_half   = line.cell_nodes.front() != line.cell_nodes.back();
   return {sum[0], is_half ? 0. : sum[1], sum[2]};
 }
-
-struct Regions
-{
-  std::array<double, 3> area{};
-  double volume = 0.;
-};
-
-Regions measure_regions(const SurfaceDiscretization &surface, const NodalVectors &positions)
-{
-  Regions regions;
-  for_all_cells(surface.tables, surface.cell_nodes, positions, 3,
-                [&](const WalkCell &cell)
-                {
-                  const unsigned int region = surface.cell_region[cell.number];
-                  for (unsigned int q = 0; q < surface.tables.n_points; ++q)
-                  {
-                    const Vector3<double> dA = cell[q].weight * cross(cell[q][1], cell[q][2]);
-                    regions.area[region] += norm(dA);
-                    if (region < 2)
-                      regions.volume += dot(cell[q][0], dA) / 3.;
-                  }
-                });
-  return regions;
-}
 } // namespace
 
 std::vector<NamedQuantity> measure_ridge(const SurfaceModel &model)
@@ -129,18 +107,19 @@ std::vector<NamedQuantity> measure_ridge(const SurfaceModel &model)
   const auto report = [&](const std::string &name, const double value, const Dimension dimension) {
     list.push_back({name, value, dimension});
   };
-  const Regions regions = measure_regions(surface, positions);
-  report("volume", regions.volume, dimensions::volume);
+  const std::vector<RegionMeasures> regions = measure_regions(surface, positions);
+  const double volume                       = regions[0].volume + regions[1].volume; // cap and wetted top
+  report("volume", volume, dimensions::volume);
   const double apex =
       largest_value(CellGeometry(surface, positions), {{0., 0., 1.}, Vector3<double>(), Vector3<double>()});
-  report("liquid_gas_area", regions.area[0], dimensions::area);
-  report("solid_liquid_area", regions.area[1], dimensions::area);
-  report("solid_gas_area", regions.area[2], dimensions::area);
-  report("liquid_weight", model.has_energy("gravity") ? norm(drop.body_force) * regions.volume : 0., force_dimension);
+  report("liquid_gas_area", regions[0].area, dimensions::area);
+  report("solid_liquid_area", regions[1].area, dimensions::area);
+  report("solid_gas_area", regions[2].area, dimensions::area);
+  report("liquid_weight", model.has_energy("gravity") ? norm(drop.body_force) * volume : 0., force_dimension);
 
   const auto &fields = problem.layout();
   const NodalVectors &material =
-      fields.has("material position") ? problem.state().fields[fields.index("material position")] : surface.positions;
+      fields.has(material_position) ? problem.state().fields[fields.index(material_position)] : surface.positions;
   PotentialSet solid;
   for (const auto &energy : problem.potentials().energies)
     if (energy->name() == "solid")
@@ -190,7 +169,7 @@ std::vector<NamedQuantity> measure_ridge(const SurfaceModel &model)
   report("neumann_angle_gas_degrees", gas.mean(), dimensions::none);
   report("neumann_angle_solid_degrees", 360. - liquid.mean() - gas.mean(), dimensions::none);
   report("line_force_imbalance", imbalance.mean(), dimensions::none);
-  if (fields.has("material position"))
+  if (fields.has(material_position))
   {
     AlongLine eshelby;
     for (const auto &[node, force] : eshelby_forces(problem, line, line_shift(surface)))
