@@ -22,7 +22,8 @@ namespace pellicle
  */
 struct TransportedDirectorCurvature
 {
-  static constexpr std::array<FieldUse, 2> fields   = SpontaneousDirectorCurvature::fields;
+  static constexpr std::array<FieldUse, 2> fields{
+      {{"position", Derivatives::first, FieldRole::independent}, director_field(Derivatives::first)}};
   static constexpr bool reparametrisation_invariant = false; ///< the points carry their b_a
 
   double mu_1 = 0.5;                                           ///< K/2
