@@ -5,6 +5,7 @@
 #include <pellicle/potentials/director/director_fields.h>
 #include <pellicle/potentials/director/director_targets.h>
 #include <pellicle/potentials/director/unit_director.h>
+#include <pellicle/potentials/potential.h>
 
 namespace pellicle
 {
@@ -56,5 +57,8 @@ struct SpontaneousDirectorCurvature
                (divergence * surface_divergence(p, O.derivatives) + projection * (1. + dn * dn) + normal_part * dn) +
            permutation * mixed;
   }
+
+  void add_derivatives(const PointInputs<double, 2> &inputs, const PointData &data,
+                       const PointDerivativeView &view) const;
 };
 } // namespace pellicle
