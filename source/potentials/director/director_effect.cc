@@ -50,8 +50,8 @@ void DirectorParameters::bind(ParameterSection &section)
       "(K + kappa_G)/2 e^ab (O,a x O,b).O, which is only reported, and the spontaneous curvature.");
   section.choice(
       "Shear", shear, {"mixed", "direct"},
-      "mixed: the force that holds the tilt is a field of its own, for any tilt modulus. direct: without it; "
-      "accurate for k_t h^2/K up to about 10, h the distance of nodes.");
+      "mixed: the force that holds the tilt is a field of its own, for any tilt modulus. direct: without it; loses "
+      "accuracy as k_t h^2/K grows above 1, h the distance of nodes.");
 }
 
 const std::string &DirectorEffect::name() const
