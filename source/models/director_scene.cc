@@ -115,7 +115,7 @@ SurfaceDiscretization DirectorScene::bare_mesh() const
   ring.outer_radius = inclusion.outer_radius;
   // Tilt decays over a few radii or less: cells at the inclusion are a fifth of equal ones.
   constexpr double graded = 0.2;
-  ring.smallest_cell = graded * (ring.outer_radius - ring.inner_radius) / (ring.radial_cells << ring.refinements);
+  ring.smallest_cell      = graded * (ring.outer_radius - ring.inner_radius) / (ring.radial_cells << ring.refinements);
   SurfaceDiscretization mesh = make_start_shape(ring);
   mesh.edges[0].name         = inclusion_edge;
   mesh.edges[1].name         = outer_edge;

@@ -27,7 +27,7 @@ const std::vector<std::string> &director_start_names();
  */
 NodalVectors start_directors(const SurfaceDiscretization &surface, const std::string &name, double angle);
 
-/** Adds to each component of each director a random number in [-amplitude, amplitude], as far as symmetry admits it, and
- * normalises. */
+/** Adds to each component of each director a random number in [-amplitude, amplitude], as far as symmetry admits it,
+ * and normalises. */
 void add_director_noise(const SurfaceDiscretization &surface, double amplitude, int seed, NodalVectors &directors);
 } // namespace pellicle
