@@ -9,5 +9,6 @@ int main(int argc, char **argv)
                                             "Membranes with directors (tilt of lipids) and Cosserat shells.",
                                             pellicle::director_effects(),
                                             {"director"},
-                                            [] { return std::make_unique<pellicle::DirectorScene>(); }});
+                                            [](const auto & /*effects*/)
+                                            { return std::make_unique<pellicle::DirectorScene>(); }});
 }
