@@ -93,6 +93,14 @@ const RidgeTargets &SceneTargets::soft_substrate() const
   return *substrate;
 }
 
+const ShellTargets &SceneTargets::shell_targets() const
+{
+  if (!shell)
+    throw UserError("The effects 'cosserat shell', 'dead load' and 'point loads' need a shell: they belong to scenes with "
+                    "a section Shell.");
+  return *shell;
+}
+
 std::vector<Where> boundary_of_liquid(const SceneTargets &targets)
 {
   std::vector<Where> parts;
