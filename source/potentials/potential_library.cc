@@ -17,6 +17,8 @@
 #include <pellicle/potentials/energies/surface_tension.h>
 #include <pellicle/potentials/energies/tu_ou_yang_skin.h>
 #include <pellicle/potentials/potential_library.h>
+#include <pellicle/potentials/shell/cosserat_shell.h>
+#include <pellicle/potentials/shell/shell_loads.h>
 #include <pellicle/potentials/solids/solid_effect.h>
 #include <pellicle/potentials/wetting/free_contact_line.h>
 #include <pellicle/potentials/wetting/line_pinning.h>
@@ -77,6 +79,13 @@ EffectLibrary ridge_effects()
   return library;
 }
 
+void add_shell_effects(EffectLibrary &library)
+{
+  library.add("cosserat shell", [] { return std::make_unique<CosseratShellEffect>(); });
+  library.add("dead load", [] { return std::make_unique<DeadLoadEffect>(); });
+  library.add("point loads", [] { return std::make_unique<PointLoadsEffect>(); });
+}
+
 const DropletTargets &SceneTargets::drop() const
 {
   if (!droplet)
@@ -96,8 +105,9 @@ const RidgeTargets &SceneTargets::soft_substrate() const
 const ShellTargets &SceneTargets::shell_targets() const
 {
   if (!shell)
-    throw UserError("The effects 'cosserat shell', 'dead load' and 'point loads' need a shell: they belong to scenes with "
-                    "a section Shell.");
+    throw UserError(
+        "The effects 'cosserat shell', 'dead load' and 'point loads' need a shell: they belong to scenes with "
+        "a section Shell.");
   return *shell;
 }
 

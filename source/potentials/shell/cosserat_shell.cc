@@ -50,9 +50,11 @@ const ShellReference &reference_at(const ShellReferences &references, const Poin
   return (*references)[data.index];
 }
 
-double ShellStrainEnergy::kept(const PointData &data) const
+ShellStrainEnergy::Shares ShellStrainEnergy::kept(const PointData &data) const
 {
-  return std::min(0.5, split * material.thickness * material.thickness / (*squared_node_distance)[data.index]);
+  constexpr double largest = 0.5;
+  const double ratio       = material.thickness * material.thickness / (*squared_node_distance)[data.index];
+  return {std::min(largest, kept_plain * ratio), std::min(largest, kept_shear * ratio)};
 }
 
 void ShellStrainEnergy::add_derivatives(const PointInputs<double, 4> &inputs, const PointData &data,
@@ -62,19 +64,19 @@ void ShellStrainEnergy::add_derivatives(const PointInputs<double, 4> &inputs, co
   const std::array<Vector3<double>, 2> moments = D.first_moments(material.thickness);
   const ShellStrainDerivatives strains(inputs[0], inputs[1], D, moments);
   const Symmetric6<double> S = stress(inputs);
-  const double volume = D.volume(material.thickness), t = kept(data);
-  const OfSix W(strains.strains.strain, [&](const auto &E) { return material.strain_energy(E, D.normal); });
-  const OfSix dual(S, [&](const auto &s) { return material.complementary_energy(s, D.normal); });
+  const double volume        = D.volume(material.thickness);
+  const OfSix W(strains.strains.strain, [&](const auto &E) { return kept_part(E, D.normal, data); });
+  const OfSix dual(S, [&](const auto &s) { return dual_part(s, D.normal, data); });
 
   ShellStrainDerivatives::Gradient by_strain{};
   ShellStrainDerivatives::Hessian by_strains{};
   std::array<double, 6> by_stress;
   for (unsigned int s = 0; s < 6; ++s)
   {
-    by_strain[s] = volume * (t * W.gradient[s] + S[s]);
-    by_stress[s] = volume * (strains.strains.strain[s] - dual.gradient[s] / (1. - t));
+    by_strain[s] = volume * (W.gradient[s] + S[s]);
+    by_stress[s] = volume * (strains.strains.strain[s] - dual.gradient[s]);
     for (unsigned int r = 0; r < 6; ++r)
-      by_strains[s][r] = volume * t * W.hessian[6 * s + r];
+      by_strains[s][r] = volume * W.hessian[6 * s + r];
   }
   strains.add(by_strain, by_strains, view);
   for (unsigned int f = 0; f < 2; ++f)
@@ -97,7 +99,7 @@ void ShellStrainEnergy::add_derivatives(const PointInputs<double, 4> &inputs, co
       Matrix3 block;
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
-          block(i, j) = -volume / (1. - t) * dual.hessian[6 * (3 * f + i) + 3 * g + j];
+          block(i, j) = -volume * dual.hessian[6 * (3 * f + i) + 3 * g + j];
       view.add_hessian(2 + f, 0, 2 + g, 0, block);
     }
   }

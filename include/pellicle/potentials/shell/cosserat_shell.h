@@ -29,13 +29,15 @@ const ShellReference &reference_at(const ShellReferences &references, const Poin
  * much as bending costs on the scale of a cell, is kept, and the rest is written with a stress of its own (Hellinger-
  * Reissner):
  *
- *     w = (m/rho_0) {t W(Ebar) + S : Ebar - W*(S)/(1 - t)},   t = min(1/2, split h^2/s^2),
+ *     w = (m/rho_0) {t W(Ebar) + S : Ebar - W*(S)/(1 - t)},   t = min(1/2, c h^2/s^2),
  *
- * s the distance of neighbouring nodes.
+ * s the distance of neighbouring nodes. The largest value over S at every point would be (m/rho_0) W(Ebar): the form is
+ * exact for all t. S is continuous and of one degree less than the position, so that strains are only seen where they
+ * are more than the error of interpolation.
  *
- * The largest value over S at every point would be (m/rho_0) W(Ebar): the form is exact for all t. S is continuous and
- * of one degree less than the position, so that strains are only seen where they are more than the error of
- * interpolation.
+ * W is a sum of two parts, transverse shear and all else, each with its own c, found by experiment (doc/numerics.md):
+ * the share of membrane strains is what is left of locking and is kept small; that of transverse shear decides how far
+ * a force at a point pushes the surface away from the director, which else are tied by S alone.
  */
 struct ShellStrainEnergy
 {
@@ -45,14 +47,19 @@ struct ShellStrainEnergy
        {shell_stress_1, Derivatives::none, FieldRole::multiplier, FieldSpace::lower_degree_vectors},
        {shell_stress_2, Derivatives::none, FieldRole::multiplier, FieldSpace::lower_degree_vectors}}};
   static constexpr bool reparametrisation_invariant = false;
-  static constexpr double split                     = 1.;
+  static constexpr double kept_plain                = 0.3;
+  static constexpr double kept_shear                = 10.;
 
   ShellMaterial material; ///< internal units
   ShellReferences reference;
   std::shared_ptr<const std::vector<double>> squared_node_distance; ///< s^2, by PointData::index
 
-  /** The share t at a point. */
-  double kept(const PointData &data) const;
+  /** The shares t of membrane and thickness strains, and of transverse shear. */
+  struct Shares
+  {
+    double plain, shear;
+  };
+  Shares kept(const PointData &data) const;
 
   template <typename Number>
   Number density(const PointInputs<Number, 4> &inputs, const PointData &data) const
@@ -63,16 +70,28 @@ struct ShellStrainEnergy
     Number product             = Number(0.);
     for (unsigned int s = 0; s < 6; ++s)
       product += S[s] * strains.strain[s];
-    const Number kept_energy = material.strain_energy(strains.strain, D.normal);
-    const Number dual_energy = material.complementary_energy(S, D.normal);
-    const double t           = kept(data);
-    return D.volume(material.thickness) * (t * kept_energy + product - 1. / (1. - t) * dual_energy);
+    const Number kept_energy = kept_part(strains.strain, D.normal, data);
+    const Number dual_energy = dual_part(S, D.normal, data);
+    return D.volume(material.thickness) * (kept_energy + product - dual_energy);
   }
 
   void add_derivatives(const PointInputs<double, 4> &inputs, const PointData &data,
                        const PointDerivativeView &view) const;
 
 private:
+  template <typename Number>
+  Number kept_part(const Symmetric6<Number> &E, const Vector3<double> &N, const PointData &data) const
+  {
+    const Shares t = kept(data);
+    return t.plain * material.plain_energy(E, N) + t.shear * material.shear_energy(E, N);
+  }
+  template <typename Number>
+  Number dual_part(const Symmetric6<Number> &S, const Vector3<double> &N, const PointData &data) const
+  {
+    const Shares t = kept(data);
+    return 1. / (1. - t.plain) * material.plain_complementary_energy(S, N) +
+           1. / (1. - t.shear) * material.shear_complementary_energy(S, N);
+  }
   template <typename Number>
   static Symmetric6<Number> stress(const PointInputs<Number, 4> &inputs)
   {

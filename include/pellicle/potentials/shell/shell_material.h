@@ -28,34 +28,39 @@ struct ShellMaterial
    * the parabolic stress of plates by 6/5. */
   double shear_factor() const { return shear_correction == "5/6" ? 5. / 6. : 1.; }
 
-  /** W(E) = (lambda/2)(tr E)^2 + mu E:E, less (1 - kappa_s) times the part 2 mu |E N|_tan^2 of transverse shear. */
+  /** W(E) = (lambda/2)(tr E)^2 + mu E:E less the part of transverse shear, 2 mu |E N|_tan^2. */
   template <typename Number>
-  Number strain_energy(const Symmetric6<Number> &E, const Vector3<double> &N) const
+  Number plain_energy(const Symmetric6<Number> &E, const Vector3<double> &N) const
   {
     const Number trace   = E[0] + E[1] + E[2];
     const Number squares = E[0] * E[0] + E[1] * E[1] + E[2] * E[2] + 0.5 * (E[3] * E[3] + E[4] * E[4] + E[5] * E[5]);
-    const Number energy  = 0.5 * lame() * trace * trace + shear_modulus() * squares;
-    if (shear_factor() == 1.)
-      return energy;
-    const Vector3<Number> on_normal(Number(E[0] * N[0] + 0.5 * (E[5] * N[1] + E[4] * N[2])),
-                                    Number(E[1] * N[1] + 0.5 * (E[5] * N[0] + E[3] * N[2])),
-                                    Number(E[2] * N[2] + 0.5 * (E[4] * N[0] + E[3] * N[1])));
-    return energy - (1. - shear_factor()) * 2. * shear_modulus() * tangential_square(on_normal, N);
+    return 0.5 * lame() * trace * trace + shear_modulus() * (squares - 2. * shear_square(E, N, 0.5));
+  }
+  /** kappa_s times that part. */
+  template <typename Number>
+  Number shear_energy(const Symmetric6<Number> &E, const Vector3<double> &N) const
+  {
+    return 2. * shear_factor() * shear_modulus() * shear_square(E, N, 0.5);
+  }
+  /** The energy of both. */
+  template <typename Number>
+  Number strain_energy(const Symmetric6<Number> &E, const Vector3<double> &N) const
+  {
+    return plain_energy(E, N) + shear_energy(E, N);
   }
 
-  /** W*(S), the largest value of S:E - W(E) over E. */
+  /** Complementary energies, the largest values of S:E less each part, over the E that it depends on. */
   template <typename Number>
-  Number complementary_energy(const Symmetric6<Number> &S, const Vector3<double> &N) const
+  Number plain_complementary_energy(const Symmetric6<Number> &S, const Vector3<double> &N) const
   {
     const Number trace   = S[0] + S[1] + S[2];
     const Number squares = S[0] * S[0] + S[1] * S[1] + S[2] * S[2] + 2. * (S[3] * S[3] + S[4] * S[4] + S[5] * S[5]);
-    const Number energy  = (squares - poisson / (1. + poisson) * trace * trace) / (4. * shear_modulus());
-    if (shear_factor() == 1.)
-      return energy;
-    const Vector3<Number> on_normal(Number(S[0] * N[0] + S[5] * N[1] + S[4] * N[2]),
-                                    Number(S[5] * N[0] + S[1] * N[1] + S[3] * N[2]),
-                                    Number(S[4] * N[0] + S[3] * N[1] + S[2] * N[2]));
-    return energy + (1. / shear_factor() - 1.) / (2. * shear_modulus()) * tangential_square(on_normal, N);
+    return (squares - 2. * shear_square(S, N, 1.) - poisson / (1. + poisson) * trace * trace) / (4. * shear_modulus());
+  }
+  template <typename Number>
+  Number shear_complementary_energy(const Symmetric6<Number> &S, const Vector3<double> &N) const
+  {
+    return shear_square(S, N, 1.) / (2. * shear_factor() * shear_modulus());
   }
 
   /**
@@ -89,11 +94,15 @@ struct ShellMaterial
   }
 
 private:
+  /** |T N|_tan^2 of the symmetric tensor whose components off the diagonal are `off_diagonal` times those given. */
   template <typename Number>
-  static Number tangential_square(const Vector3<Number> &v, const Vector3<double> &N)
+  static Number shear_square(const Symmetric6<Number> &T, const Vector3<double> &N, const double off_diagonal)
   {
-    const Number normal = internal::times(N, v);
-    return dot(v, v) - normal * normal;
+    const Vector3<Number> on_normal(Number(T[0] * N[0] + off_diagonal * (T[5] * N[1] + T[4] * N[2])),
+                                    Number(T[1] * N[1] + off_diagonal * (T[5] * N[0] + T[3] * N[2])),
+                                    Number(T[2] * N[2] + off_diagonal * (T[4] * N[0] + T[3] * N[1])));
+    const Number normal = internal::times(N, on_normal);
+    return dot(on_normal, on_normal) - normal * normal;
   }
 };
 } // namespace pellicle
