@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pellicle/assembly/body_nodes.h>
+#include <pellicle/assembly/field_charts.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/models/internal_elimination.h>
 
@@ -14,21 +14,7 @@ namespace
 {
 constexpr int max_iterations = 10;
 constexpr double tolerance   = 1e-11; // of the residual relative to the cells' contributions
-
 } // namespace
-
-NodalChart chart_of_internal_field(const SurfaceDiscretization &discretization, const Field &field,
-                                   const NodalVectors &positions, const NodalVectors &values,
-                                   const NodalConditions &conditions)
-{
-  NodalChart chart = field.space == FieldSpace::edge_conormals    ? conormal_chart(discretization, positions, values)
-                     : field.space == FieldSpace::edge_scalars    ? edge_scalar_chart(discretization)
-                     : field.space == FieldSpace::bulk_scalars    ? bulk_scalar_chart(discretization)
-                     : field.space == FieldSpace::material_places ? held_chart(discretization)
-                                                                  : surface_vector_chart(discretization);
-  apply_conditions(conditions, field.name, chart);
-  return chart;
-}
 
 InternalElimination::InternalElimination(const SurfaceDiscretization &discretization, const FieldLayout &layout,
                                          const PotentialSet &set, const NodalConditions &conditions,
@@ -50,7 +36,7 @@ std::vector<NodalChart> InternalElimination::charts(const FieldValues &values) c
   std::vector<NodalChart> list;
   for (std::size_t f = 0; f < layout.fields().size(); ++f)
     list.push_back(layout.fields()[f].role == FieldRole::internal
-                       ? chart_of_internal_field(discretization, layout.fields()[f], values[0], values[f], conditions)
+                       ? chart_of_field(discretization, layout.fields()[f], values[0], values[f], conditions)
                        : NodalChart{});
   return list;
 }
@@ -85,7 +71,7 @@ bool InternalElimination::solve(const PotentialSet &set, const std::vector<doubl
   double residual       = std::numeric_limits<double>::infinity();
   bool has_unit_vectors = false;
   for (std::size_t f = 0; f < layout.fields().size(); ++f)
-    if (layout.fields()[f].space == FieldSpace::edge_conormals)
+    if (layout.fields()[f].role == FieldRole::internal && chart_follows_values(layout.fields()[f]))
       has_unit_vectors = true;
   for (int iteration = 0; iteration < max_iterations; ++iteration)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/edge_loops.h>
+#include <pellicle/discretization/point_walk.h>
 #include <pellicle/discretization/split_line.h>
 #include <pellicle/discretization/surface_quality.h>
 #include <pellicle/models/contact_augmentation.h>
@@ -37,6 +38,28 @@ std::array<double, 3> normalise(SurfaceDiscretization &discretization, const dou
     x /= length;
   return centre;
 }
+
+// A cell's area over k^2, on a meridian (length/k)^2; at every quadrature point.
+std::vector<double> squared_node_distances(const SurfaceDiscretization &discretization)
+{
+  const bool meridian = discretization.kind == SurfaceDiscretization::Kind::meridian;
+  const double k2     = std::pow(discretization.degree, 2);
+  std::vector<double> all;
+  for_all_cells(discretization.tables, discretization.cell_nodes, discretization.positions, 3,
+                [&](const WalkCell &cell)
+                {
+                  double size = 0., weights = 0.; // weights have the factor of a revolution or a mirror plane
+                  for (unsigned int q = 0; q < cell.tables.n_points; ++q)
+                  {
+                    size += cell[q].weight * (meridian ? norm(cell[q][1]) : norm(cross(cell[q][1], cell[q][2])));
+                    weights += cell[q].weight;
+                  }
+                  size /= weights;
+                  all.insert(all.end(), cell.tables.n_points, (meridian ? size * size : size) / k2);
+                });
+  return all;
+}
+
 /** Passes iterations on with the energy in the user's units. */
 class InUsersUnits : public Observer
 {
@@ -205,8 +228,9 @@ void SurfaceModel::update(const SurfaceScene &scene)
 
 PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
 {
-  targets           = scene.targets(unit);
-  targets.reference = reference;
+  targets            = scene.targets(unit);
+  targets.reference  = reference;
+  targets.cell_sizes = cell_sizes;
   scene.add_references(solved_mesh(), targets);
   targets.euler_characteristic = euler_characteristic(discretization);
   for (SceneEdge &edge : targets.edges)
@@ -223,6 +247,7 @@ PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
 // What potentials need to know of the start shape and the reference shape, at quadrature points.
 void SurfaceModel::take_from_mesh(const SurfaceScene &scene)
 {
+  cell_sizes          = std::make_shared<const std::vector<double>>(squared_node_distances(discretization));
   const bool has_skin = !is_reparametrisation_invariant(scene.potentials(unit));
   if (has_skin)
   {

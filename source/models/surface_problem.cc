@@ -2,6 +2,7 @@
 #include <pellicle/assembly/body_nodes.h>
 #include <pellicle/assembly/carried_nodes.h>
 #include <pellicle/assembly/edge_frames.h>
+#include <pellicle/assembly/field_charts.h>
 #include <pellicle/assembly/rim_directions.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/point_walk.h>
@@ -83,7 +84,7 @@ std::vector<ReferenceMetric> reference_metric(const SurfaceDiscretization &discr
 }
 
 // Positions of the start shape, which are the places of material points as well, its conormals on the edges that have
-// them as unknowns, zero for the rest.
+// them as unknowns, its normals for unit vectors; what the discretization gives; zero for the rest.
 FieldValues start_fields(const SurfaceDiscretization &discretization, const FieldLayout &layout,
                          const NodalConditions &conditions)
 {
@@ -92,6 +93,10 @@ FieldValues start_fields(const SurfaceDiscretization &discretization, const Fiel
   {
     const bool is_place = field.name == "position" || field.space == FieldSpace::material_places;
     fields.push_back(is_place ? discretization.positions : NodalVectors(3 * discretization.n_nodes, 0.));
+    if (const auto given = discretization.start_values.find(field.name); given != discretization.start_values.end())
+      fields.back() = given->second;
+    else if (field.space == FieldSpace::unit_vectors)
+      fields.back() = nodal_normals(discretization, discretization.positions);
     if (field.space != FieldSpace::edge_conormals)
       continue;
     const auto &only           = conditions.at(field.name).only;
@@ -214,7 +219,7 @@ std::vector<NodalChart> SurfaceProblem::charts_here() const
     const Field &field = field_layout.fields()[f];
     if (field.name != "position")
     {
-      charts.push_back(chart_of_internal_field(surface, field, current.fields[0], current.fields[f], conditions));
+      charts.push_back(chart_of_field(surface, field, current.fields[0], current.fields[f], conditions));
       continue;
     }
     charts.push_back(chart == PositionChart::material ? free_chart(surface)
@@ -267,9 +272,8 @@ void SurfaceProblem::linearize()
 {
   const Timing::Scope scope(timing, "assembly");
   for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
-    if (field_layout.fields()[f].space == FieldSpace::edge_conormals)
-      system->set_chart(f, chart_of_internal_field(surface, field_layout.fields()[f], current.fields[0],
-                                                   current.fields[f], conditions));
+    if (const Field &field = field_layout.fields()[f]; chart_follows_values(field))
+      system->set_chart(f, chart_of_field(surface, field, current.fields[0], current.fields[f], conditions));
   if (!system->numbering().charts[0].on_body.empty())
   {
     NodalChart positions = system->numbering().charts[0];
@@ -328,9 +332,11 @@ void SurfaceProblem::add_drag(const double zeta)
 {
   const Numbering &numbering = system->numbering();
   std::vector<double> weights(numbering.n_nodal, 0.);
-  for (std::size_t I = 0; I < surface.n_nodes; ++I)
-    for (unsigned int a = 0; a < numbering.count(0, I); ++a)
-      weights[numbering.first_of(0, I) + a] += node_areas[I];
+  for (std::size_t f = 0; f < numbering.n_fields(); ++f)
+    if (is_moving(f))
+      for (std::size_t I = 0; I < surface.n_nodes; ++I)
+        for (unsigned int a = 0; a < numbering.count(f, I); ++a)
+          weights[numbering.first_of(f, I) + a] += node_areas[I];
   system->add_to_diagonal(weights, zeta);
 }
 
@@ -347,6 +353,13 @@ int SurfaceProblem::expected_negative_pivots() const
 bool SurfaceProblem::is_multiplier(const std::size_t field) const
 {
   return field_layout.fields()[field].role == FieldRole::multiplier;
+}
+
+bool SurfaceProblem::is_moving(const std::size_t f) const
+{
+  const Field &field = field_layout.fields()[f];
+  return field.role == FieldRole::independent &&
+         (field.space == FieldSpace::vectors || field.space == FieldSpace::unit_vectors);
 }
 
 std::vector<double> SurfaceProblem::full_step_multipliers(const std::vector<double> &direction) const

@@ -109,13 +109,19 @@ std::vector<double> SurfaceProblem::area_weights() const
 
 double SurfaceProblem::displacement(const std::vector<double> &direction) const
 {
-  const NodalVectors move = displacements(direction);
-  double largest          = 0.;
-  for (std::size_t I = 0; I < surface.n_nodes; ++I)
+  double largest = 0.;
+  for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
   {
-    const double length = norm(vector_at(move, I));
-    if (!(length <= largest)) // keeps nan
-      largest = length;
+    if (!is_moving(f))
+      continue;
+    NodalVectors move(3 * surface.n_nodes, 0.);
+    system->add_columns(direction, 1., f, move);
+    for (std::size_t I = 0; I < surface.n_nodes; ++I)
+    {
+      const double length = norm(vector_at(move, I));
+      if (!(length <= largest)) // keeps nan
+        largest = length;
+    }
   }
   return largest;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What users read of a surface model: quantities and sampled fields, scaled back to their units.
+#include <pellicle/assembly/edge_frames.h>
 #include <pellicle/base/constants.h>
 #include <pellicle/discretization/sheets.h>
 #include <pellicle/models/make_sample.h>
@@ -7,6 +8,7 @@
 #include <pellicle/models/sample_body.h>
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_model.h>
+#include <pellicle/potentials/director/director_fields.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +37,26 @@ std::string energy_quantity(const std::string &potential)
 
 /** The field of the undeformed places of a body's nodes, where they are unknown. */
 constexpr const char *material_position = "material position";
+
+Dimension dimension_of(const Field &field)
+{
+  if (field.name == material_position)
+    return dimensions::length;
+  return field.space == FieldSpace::unit_vectors ? dimensions::none : dimensions::line_tension;
+}
+
+/** (I - n n) O at the nodes. */
+NodalVectors tilt(NodalVectors directors, const NodalVectors &normals)
+{
+  for (std::size_t I = 0; 3 * I < directors.size(); ++I)
+  {
+    const Vector3<double> n = vector_at(normals, I);
+    const double along      = dot(vector_at(directors, I), n);
+    for (unsigned int c = 0; c < 3; ++c)
+      directors[3 * I + c] -= along * n[c];
+  }
+  return directors;
+}
 
 /** Adds to the quantity of that name, or appends it. */
 template <typename Quantity>
@@ -206,11 +228,13 @@ SurfaceSample SurfaceModel::sample() const
       {"mean_curvature_outward", 1, scaled_values(curvature.mean_outward, unit.of(dimensions::curvature))});
   fields.push_back({"gauss_curvature", 1, scaled_values(curvature.gauss, unit.of(dimensions::gauss_curvature))});
   for (std::size_t f = 1; f < state.fields.size(); ++f)
-    if (const Field &field = problem->layout().fields()[f]; field.space != FieldSpace::bulk_scalars)
-    {
-      const Dimension dimension = field.name == material_position ? dimensions::length : dimensions::line_tension;
-      fields.push_back({field.name, 3, scaled_values(of_surface(state.fields[f]), unit.of(dimension))});
-    }
+    if (const Field &field = problem->layout().fields()[f];
+        field.space != FieldSpace::bulk_scalars && field.space != FieldSpace::lower_degree_vectors)
+      fields.push_back({field.name, 3, scaled_values(of_surface(state.fields[f]), unit.of(dimension_of(field)))});
+  if (problem->layout().has(director))
+    fields.push_back({"tilt", 3,
+                      tilt(of_surface(state.fields[problem->layout().index(director)]),
+                           nodal_normals(surface, of_surface(state.fields[0])))});
 
   if (last_stability)
     for (std::size_t k = 0; k < last_stability->modes.size(); ++k)

@@ -3,6 +3,8 @@
 #include <pellicle/potentials/constraints/enclosed_volume.h>
 #include <pellicle/potentials/constraints/total_area.h>
 #include <pellicle/potentials/density_potential.h>
+#include <pellicle/potentials/director/director_gradient.h>
+#include <pellicle/potentials/director/tilt_energy.h>
 #include <pellicle/potentials/energies/gravity.h>
 #include <pellicle/potentials/energies/helfrich_bending.h>
 #include <pellicle/potentials/energies/incompressible_rubber_skin.h>
@@ -15,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 namespace
@@ -97,5 +100,14 @@ TEST(AutomaticDerivatives, ElasticSkins)
   compare(ElasticSkin<IncompressibleRubberSkin>{{1.3}, skew_reference()});
   compare(ElasticSkin<SkalakSkin>{{1.3, 2.1}, skew_reference()});
   compare(ElasticSkin<TuOuYangSkin>{{1.3, 0.4}, skew_reference()});
+}
+
+TEST(AutomaticDerivatives, Directors)
+{
+  const auto direct = std::make_shared<const std::vector<double>>(1, 0.7);
+  compare(DirectorGradientEnergy{1.3});
+  compare(TiltEnergy{2.1});
+  compare(MixedTiltEnergy{2.1, direct});
+  compare(MixedTiltEnergy{std::numeric_limits<double>::infinity(), direct});
 }
 } // namespace

@@ -126,6 +126,9 @@ struct SurfaceDiscretization
    * fastest). */
   std::vector<std::size_t> cell_nodes;
   NodalVectors positions; ///< start shape, oriented so that a_1 x a_2 points out of the enclosed volume
+  /** Start values of fields other than the position, by name; those that are not named start as their kind does
+   * (unit vectors: along the normals; others: zero). */
+  std::map<std::string, NodalVectors> start_values;
   /** The same nodes on a surface where they are well spread: the start shape, or the sphere it is a map of. */
   NodalVectors mesh_reference;
   ShapeTables tables;                           ///< Gauss, degree + 1 points a direction, all six slots

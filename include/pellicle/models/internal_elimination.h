@@ -13,11 +13,6 @@
 
 namespace pellicle
 {
-/** All admissible values of a field other than the position, at the present ones. */
-NodalChart chart_of_internal_field(const SurfaceDiscretization &discretization, const Field &field,
-                                   const NodalVectors &positions, const NodalVectors &values,
-                                   const NodalConditions &conditions);
-
 /**
  * Solves for the internal fields at given independent fields and multipliers, by their own block of equations from the
  * sum of all potentials that declare them (contract 6). A density quadratic in the internal field (the moment) takes

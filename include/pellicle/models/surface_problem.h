@@ -125,6 +125,7 @@ public:
   double merit(const std::vector<double> &direction) const override;
   double try_step(const std::vector<double> &direction, double length) override;
   void accept_trial() override;
+  /** The largest change of a node's position, or of a director. */
   double displacement(const std::vector<double> &direction) const override;
   /** The direction that comes nearest to nodal displacements; its entries for other fields are zero. */
   std::vector<double> direction_of(const NodalVectors &displacements) const;
@@ -140,6 +141,8 @@ private:
   std::vector<double> full_step_multipliers(const std::vector<double> &direction) const;
   double constraint_residual(std::size_t k, const TermValues &values, double lambda) const;
   bool is_multiplier(std::size_t field) const;
+  /** Positions and directors: what a drag acts on, and whose largest change is a step's length. */
+  bool is_moving(std::size_t field) const;
 
   const SurfaceDiscretization &surface;
   PotentialSet set;

@@ -118,6 +118,9 @@ struct SceneTargets
   std::optional<RidgeTargets> substrate = std::nullopt;
   /** The same for effects that need one. Throws UserError if the scene has none. */
   const RidgeTargets &soft_substrate() const;
+  /** Squared distance of neighbouring nodes on the start shape, at every quadrature point: a cell's area over k^2. Null
+   * while a scene is only checked. */
+  std::shared_ptr<const std::vector<double>> cell_sizes = nullptr;
   /** Metric of the reference shape at every quadrature point, for elastic skins; null while a scene is only checked. */
   std::shared_ptr<const std::vector<ReferenceMetric>> reference = nullptr;
 };

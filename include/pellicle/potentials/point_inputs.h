@@ -36,11 +36,13 @@ enum class FieldRole
 /** What the values of a field are. */
 enum class FieldSpace
 {
-  vectors,         ///< of R^3, at all nodes
-  material_places, ///< of R^3, where the nodes of bodies are in the undeformed body; fixed but for conditions
-  edge_conormals,  ///< unit vectors at the nodes of edge loops
-  edge_scalars,    ///< numbers at the nodes of edge loops, the first component of the vectors
-  bulk_scalars     ///< numbers at the pressure nodes of bodies, the first component of the vectors
+  vectors,             ///< of R^3, at all nodes
+  material_places,     ///< of R^3, where the nodes of bodies are in the undeformed body; fixed but for conditions
+  edge_conormals,      ///< unit vectors at the nodes of edge loops
+  edge_scalars,        ///< numbers at the nodes of edge loops, the first component of the vectors
+  bulk_scalars,        ///< numbers at the pressure nodes of bodies, the first component of the vectors
+  unit_vectors,        ///< of length one at all nodes of the surface
+  lower_degree_vectors ///< of R^3, continuous, of degree k - 1
 };
 
 /** A field that a density reads: its name, how far it is differentiated, its role, and what its values are. */
