@@ -43,7 +43,7 @@ public:
   const EnergyBalance &balance() const { return books; }
 
 protected:
-  /** Settles what has no friction. Throws SolveError. */
+  /** Settles what has no friction, within an instant. Throws SolveError. */
   SurfaceMotion(const MotionSetting &setting, double interval);
   /** The minimum over a step: false, at the state before, if Newton's method fails (`result` says why). */
   bool solve_step(double length, int step, Observer &observer, StepResult &result);

@@ -3,6 +3,7 @@
 
 #include <pellicle/base/parameters.h>
 #include <pellicle/base/scales.h>
+#include <pellicle/potentials/director/director_targets.h>
 #include <pellicle/potentials/dissipation.h>
 #include <pellicle/potentials/potential.h>
 #include <pellicle/potentials/reference_metric.h>
@@ -125,6 +126,13 @@ struct SceneTargets
   std::shared_ptr<const std::vector<double>> cell_sizes = nullptr;
   /** Metric of the reference shape at every quadrature point, for elastic skins; null while a scene is only checked. */
   std::shared_ptr<const std::vector<ReferenceMetric>> reference = nullptr;
+  /** Where the directors start, at every quadrature point, for what is carried along from there; null while a scene is
+   * only checked. */
+  std::shared_ptr<const std::vector<DirectorPoint>> director_start = nullptr;
+  /** Of scenes with directors. */
+  std::optional<DirectorLaw> directors = std::nullopt;
+  /** The same for effects that need them. Throws UserError if the scene has none. */
+  const DirectorLaw &director_law() const;
 };
 
 /**

@@ -15,4 +15,6 @@ EffectLibrary standard_effects();
 EffectLibrary droplet_effects();
 /** Those of drops on soft substrates. */
 EffectLibrary ridge_effects();
+/** Those of membranes with directors: the standard ones, and those of the directors. */
+EffectLibrary director_effects();
 } // namespace pellicle

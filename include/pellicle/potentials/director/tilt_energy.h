@@ -56,7 +56,7 @@ private:
  * the exact q is tangential, so it is consistent, and its weight is small as h^2 with k_0 ~ K/h^2, so that it does not
  * hold q, which cannot be tangential at every point.
  *
- * The shear force per area that the directors exert is (k_0) O_tan + q, in the limit k_t O_tan.
+ * The shear force per area that the directors exert is k_0 O_tan + q, in the limit k_t O_tan.
  */
 struct MixedTiltEnergy
 {
