@@ -60,8 +60,8 @@ TEST(DirectorEffects, EnergiesHaveTheNamesOfTheReports)
   SpontaneousDirectorCurvatureEffect curvature;
   const PotentialSet set = contributions(Scales{}, {&director, &curvature}, targets_with(1.));
   ASSERT_EQ(set.energies.size(), 3u);
-  EXPECT_EQ(set.energies[0]->name(), "tilt energy");
-  EXPECT_EQ(set.energies[1]->name(), "director gradient energy");
+  EXPECT_EQ(set.energies[0]->name(), "tilt");
+  EXPECT_EQ(set.energies[1]->name(), "director gradient");
   EXPECT_EQ(set.energies[2]->name(), "spontaneous director curvature");
   EXPECT_EQ(set.energies[0]->fields().size(), 3u);
   director.parameters.shear = "direct";

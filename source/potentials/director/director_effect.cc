@@ -12,9 +12,13 @@ namespace pellicle
 {
 namespace
 {
-const std::string tilt_energy = "tilt energy", gradient_energy = "director gradient energy";
+const std::string tilt_energy = "tilt", gradient_energy = "director gradient";
 
-/** Derivative of MixedTiltEnergy with respect to k_t, of which k_0 = k_t/2 takes its half where it is not K/h^2. */
+/** c of k_0 = min(c K/h^2, k_t/2): of those that were tried the most accurate (doc/numerics.md, "Directors"). */
+constexpr double direct_share = 0.1;
+
+/** Derivative of MixedTiltEnergy with respect to k_t, of which k_0 = k_t/2 takes its half where it is not bounded by
+ * the cell's size. */
 struct MixedTiltDerivative
 {
   static constexpr std::array<FieldUse, 3> fields   = MixedTiltEnergy::fields;
@@ -27,11 +31,14 @@ struct MixedTiltDerivative
   template <typename Number>
   Number density(const PointInputs<Number, 3> &inputs, const PointData &data) const
   {
-    const double k_0 = (*direct)[data.index], rest = tilt_modulus - k_0;
-    const double k_0_rate = k_0 < 0.5 * tilt_modulus ? 0. : 0.5;
+    const double k_0 = (*direct)[data.index], k_t = tilt_modulus;
+    const bool is_half    = k_0 >= 0.5 * k_t;
+    const double k_0_rate = factor * (is_half ? 0.5 : 0.), t_rate = factor * (is_half ? 0. : k_0 / (k_t * k_t));
+    const double compliance_rate = factor * (is_half ? -0.5 : 2. * k_0 / k_t - 1.) / (k_t * k_t); // of t/k_t
+    const double normal_rate     = -MixedTiltEnergy::normal_weight * k_0_rate / (k_0 * k_0);
     TangentialForm<2> rate;
-    rate.alpha = {{{factor * k_0_rate, 0.}, {0., factor * (1. - k_0_rate) / (rest * rest)}}};
-    rate.beta  = {{{factor * k_0_rate, 0.}, {0., -factor * k_0_rate / (k_0 * k_0)}}};
+    rate.alpha = {{{k_0_rate, t_rate}, {t_rate, -compliance_rate}}};
+    rate.beta  = {{{k_0_rate, t_rate}, {t_rate, normal_rate}}};
     return rate.density(inputs[0], std::array<Vector3<Number>, 2>{inputs[1].value(), inputs[2].value()});
   }
 };
@@ -122,13 +129,12 @@ std::shared_ptr<const std::vector<double>> direct_tilt_modulus(const DirectorLaw
   auto direct = std::make_shared<std::vector<double>>();
   direct->reserve(targets.cell_sizes->size());
   for (const double h_squared : *targets.cell_sizes)
-    direct->push_back(std::min(law.bending_modulus / h_squared, 0.5 * law.tilt_modulus));
+    direct->push_back(std::min(direct_share * law.bending_modulus / h_squared, 0.5 * law.tilt_modulus));
   return direct;
 }
 
 std::shared_ptr<const Potential> null_lagrangian(const DirectorLaw &law)
 {
-  return std::make_shared<DensityPotential<NullLagrangian>>("null lagrangian energy",
-                                                            NullLagrangian{law.null_modulus()});
+  return std::make_shared<DensityPotential<NullLagrangian>>("null lagrangian", NullLagrangian{law.null_modulus()});
 }
 } // namespace pellicle

@@ -16,7 +16,7 @@ struct DirectorParameters
 };
 
 /**
- * The effect "director": the energies "tilt energy" (k_t/2) |O_tan|^2 and "director gradient energy" (K/2) |grad O|^2
+ * The effect "director": the energies "tilt" (k_t/2) |O_tan|^2 and "director gradient" (K/2) |grad O|^2
  * of (23) of Hu, Zhang & E 2007. The null Lagrangian is not among them; see null_lagrangian().
  */
 class DirectorEffect : public Effect
@@ -35,10 +35,10 @@ public:
   DirectorParameters parameters;
 };
 
-/** k_0 = min(K/h^2, k_t/2) at every quadrature point, the part of the tilt modulus that MixedTiltEnergy leaves in
+/** k_0 = min(K/(10 h^2), k_t/2) at every quadrature point, the part of the tilt modulus that MixedTiltEnergy leaves in
  * displacement form; null while the scene is only checked. */
 std::shared_ptr<const std::vector<double>> direct_tilt_modulus(const DirectorLaw &law, const SceneTargets &targets);
 
-/** (K + kappa_G)/2 e^ab (O,a x O,b) . O, named "null lagrangian energy": for reports. */
+/** (K + kappa_G)/2 e^ab (O,a x O,b) . O, named "null lagrangian": for reports. */
 std::shared_ptr<const Potential> null_lagrangian(const DirectorLaw &law);
 } // namespace pellicle
