@@ -7,6 +7,7 @@
 #include <pellicle/potentials/contact/contact_effect.h>
 #include <pellicle/potentials/director/director_effect.h>
 #include <pellicle/potentials/director/spontaneous_curvature_effect.h>
+#include <pellicle/potentials/dissipations/director_friction.h>
 #include <pellicle/potentials/edges/gaussian_curvature.h>
 #include <pellicle/potentials/edges/line_tension.h>
 #include <pellicle/potentials/energies/gravity.h>
@@ -86,6 +87,7 @@ EffectLibrary director_effects()
   EffectLibrary library = standard_effects();
   library.add("director", [] { return std::make_unique<DirectorEffect>(); });
   library.add("spontaneous director curvature", [] { return std::make_unique<SpontaneousDirectorCurvatureEffect>(); });
+  library.add("director friction", [] { return std::make_unique<DirectorFrictionEffect>(); });
   library.add("cosserat shell", [] { return std::make_unique<CosseratShellEffect>(); });
   library.add("dead load", [] { return std::make_unique<DeadLoadEffect>(); });
   library.add("point loads", [] { return std::make_unique<PointLoadsEffect>(); });

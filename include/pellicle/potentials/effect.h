@@ -4,6 +4,7 @@
 #include <pellicle/base/parameters.h>
 #include <pellicle/base/scales.h>
 #include <pellicle/potentials/director/director_targets.h>
+#include <pellicle/potentials/dissipation.h>
 #include <pellicle/potentials/potential.h>
 #include <pellicle/potentials/reference_metric.h>
 #include <pellicle/potentials/shell/shell_targets.h>
@@ -61,13 +62,14 @@ struct NamedQuantity
   Dimension dimension;
 };
 
-/** The lists that make a scene: energies and constraints. What is not listed costs nothing. */
+/** The lists that make a scene: energies, constraints and dissipation potentials. What is not listed costs nothing. */
 struct PotentialSet
 {
   std::vector<std::shared_ptr<const Potential>> energies;
   std::vector<Constraint> constraints;
   std::vector<NamedQuantity> prescribed; ///< forces, only for reports
   std::vector<NamedQuantity> constants;  ///< energies that no shape changes, only for reports
+  std::vector<Dissipation> dissipations = {};
 };
 
 /** Coefficients of the bending energy (kappa/2)(2H + C0)^2. */
@@ -178,7 +180,7 @@ public:
   {
     return {};
   }
-  /** Adds energies and constraints in internal units. */
+  /** Adds energies, constraints and dissipation potentials in internal units. */
   virtual void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const = 0;
 };
 
