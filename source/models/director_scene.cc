@@ -2,6 +2,7 @@
 #include <pellicle/assembly/body_nodes.h>
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/assembly/nodal_chart.h>
+#include <pellicle/discretization/point_walk.h>
 #include <pellicle/models/director_scene.h>
 #include <pellicle/models/director_start.h>
 #include <pellicle/models/surface_model.h>
@@ -172,6 +173,19 @@ NodalConditions DirectorScene::conditions(const SurfaceDiscretization &surface, 
       if (loop.is_rim)
         hold_nodes(conditions, std::string(director), loop.cell_nodes, surface.n_nodes);
   return conditions;
+}
+
+void DirectorScene::add_references(const SurfaceDiscretization &start, SceneTargets &targets) const
+{
+  std::vector<DirectorPoint> points;
+  const NodalVectors &directors = start.start_values.at(std::string(director));
+  for_all_points(start.tables, start.cell_nodes, start.positions, 3,
+                 [&](const WalkPoint &x) {
+                   points.push_back({x[1], x[2], {}});
+                 });
+  std::size_t next = 0;
+  for_all_points(start.tables, start.cell_nodes, directors, 1, [&](const WalkPoint &O) { points[next++].O = O[0]; });
+  targets.director_start = std::make_shared<const std::vector<DirectorPoint>>(std::move(points));
 }
 
 SurfaceMeasures DirectorScene::measures(const Scales &scales) const

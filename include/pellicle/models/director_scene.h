@@ -53,6 +53,7 @@ public:
   std::vector<SceneEdge> edges() const override;
   NodalConditions conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const override;
   SurfaceMeasures measures(const Scales &scales) const override;
+  void add_references(const SurfaceDiscretization &start, SceneTargets &targets) const override;
 
 protected:
   void add_own_sections(std::vector<ParameterSection> &all) override;
