@@ -5,9 +5,11 @@
 #include <pellicle/discretization/point_walk.h>
 #include <pellicle/models/director_scene.h>
 #include <pellicle/models/director_start.h>
+#include <pellicle/models/relaxation_system.h>
 #include <pellicle/models/surface_model.h>
 #include <pellicle/potentials/director/director_effect.h>
 #include <pellicle/potentials/director/director_fields.h>
+#include <pellicle/potentials/dissipations/director_friction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -84,6 +86,12 @@ void DirectorScene::add_own_sections(std::vector<ParameterSection> &all)
   add_section(all, "Director field", field);
 }
 
+void DirectorScene::add_further_sections(std::vector<ParameterSection> &all)
+{
+  VesicleScene::add_further_sections(all);
+  add_section(all, "Time", time);
+}
+
 void DirectorScene::check() const
 {
   if (find<DirectorEffect>() == nullptr)
@@ -92,11 +100,31 @@ void DirectorScene::check() const
   if (has_inclusion() && !(inclusion.outer_radius > inclusion.radius))
     throw UserError("Inclusion/Outer radius must be larger than Inclusion/Radius.");
   VesicleScene::check();
+  check_time();
+}
+
+void DirectorScene::check_time() const
+{
+  time.check();
+  const bool has_friction = find<DirectorFrictionEffect>() != nullptr;
+  if (motion() == nullptr && has_friction)
+    throw UserError("The list Effects has 'director friction', but Time/End time is 0: an equilibrium knows no "
+                    "friction. Give an end time, or drop the effect.");
+  if (motion() == nullptr)
+    return;
+  if (!has_friction)
+    throw UserError("Time/End time is positive, but the list Effects has no 'director friction': how fast directors "
+                    "turn is not defined. Add it.");
+  if (!load.parameter.empty() || !branch.parameter.empty() || !analyses.empty())
+    throw UserError("A scene that moves in time (Time/End time > 0) can have neither Load/Parameter nor "
+                    "Continuation/Parameter nor Analyses: these are for equilibria.");
+  if (time.integrator == "ida" && std::isinf(find<DirectorEffect>()->parameters.tilt_modulus))
+    refuse_index_2();
 }
 
 bool DirectorScene::is_fixed(const std::string &parameter) const
 {
-  for (const char *section : {"Surface/", "Inclusion/", "Director field/"})
+  for (const char *section : {"Surface/", "Inclusion/", "Director field/", "Time/"})
     if (parameter.rfind(section, 0) == 0)
       return true;
   return VesicleScene::is_fixed(parameter);
