@@ -5,6 +5,9 @@
 #include <pellicle/potentials/constraints/tether.h>
 #include <pellicle/potentials/constraints/total_area.h>
 #include <pellicle/potentials/contact/contact_effect.h>
+#include <pellicle/potentials/director/director_effect.h>
+#include <pellicle/potentials/director/spontaneous_curvature_effect.h>
+#include <pellicle/potentials/dissipations/director_friction.h>
 #include <pellicle/potentials/edges/gaussian_curvature.h>
 #include <pellicle/potentials/edges/line_tension.h>
 #include <pellicle/potentials/energies/gravity.h>
@@ -79,11 +82,16 @@ EffectLibrary ridge_effects()
   return library;
 }
 
-void add_shell_effects(EffectLibrary &library)
+EffectLibrary director_effects()
 {
+  EffectLibrary library = standard_effects();
+  library.add("director", [] { return std::make_unique<DirectorEffect>(); });
+  library.add("spontaneous director curvature", [] { return std::make_unique<SpontaneousDirectorCurvatureEffect>(); });
+  library.add("director friction", [] { return std::make_unique<DirectorFrictionEffect>(); });
   library.add("cosserat shell", [] { return std::make_unique<CosseratShellEffect>(); });
   library.add("dead load", [] { return std::make_unique<DeadLoadEffect>(); });
   library.add("point loads", [] { return std::make_unique<PointLoadsEffect>(); });
+  return library;
 }
 
 const DropletTargets &SceneTargets::drop() const
@@ -100,6 +108,13 @@ const RidgeTargets &SceneTargets::soft_substrate() const
     throw UserError("The effects 'solid', 'solid skins' and 'free contact line' need a soft substrate: they belong to "
                     "scenes of wetting_ridge.");
   return *substrate;
+}
+
+const DirectorLaw &SceneTargets::director_law() const
+{
+  if (!directors)
+    throw UserError("The effects of directors other than 'director' need it besides them: add 'director' to Effects.");
+  return *directors;
 }
 
 const ShellTargets &SceneTargets::shell_targets() const

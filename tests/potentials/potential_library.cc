@@ -3,6 +3,7 @@
 // reparametrisation.
 #include "expect_user_error.h"
 
+#include <pellicle/potentials/director/director_effect.h>
 #include <pellicle/potentials/energies/mesh_distortion.h>
 #include <pellicle/potentials/potential_library.h>
 
@@ -25,8 +26,14 @@ struct ListedPotential
   std::shared_ptr<const Potential> potential;
 
   bool is_on_edge() const { return potential->where().part == Where::Part::edge; }
-  /** Heights and given conormals single out directions in space. */
-  bool is_isotropic() const { return potential->where().name != "tip" && potential->where().name != "clamped rim"; }
+  /** Heights and given conormals single out directions in space, and so does the state that b_a remember: (44) of Hu,
+   * Zhang & E turns them about O at the rate of the spin about n. */
+  bool is_isotropic() const
+  {
+    const bool remembers =
+        potential->name() == "spontaneous director curvature" && !potential->reparametrisation_invariant();
+    return potential->where().name != "tip" && potential->where().name != "clamped rim" && !remembers;
+  }
 };
 
 /** A scene in which every effect finds what it acts on. */
@@ -38,46 +45,71 @@ SceneTargets generous_targets()
   targets.gaussian_modulus = -0.6;
   targets.reference        = std::make_shared<const std::vector<ReferenceMetric>>(1, ReferenceMetric{1.3, 0.2, 0.9});
   const auto conormal      = std::make_shared<const std::vector<Vector3<double>>>(1, Vector3<double>(0.6, -0.48, 0.64));
-  targets.edges            = {{"free rim", EdgeSupport::free},
-                              {"hinged rim", EdgeSupport::hinged},
-                              {"clamped rim", EdgeSupport::clamped, conormal},
-                              {"line", EdgeSupport::inner}};
+  targets.directors        = {{1.7, 0.8, -0.6}};
+  targets.cell_sizes       = std::make_shared<const std::vector<double>>(1, 1.6);
+  targets.director_start   = std::make_shared<const std::vector<DirectorPoint>>(
+      1, DirectorPoint{{1.1, 0.1, 0.2}, {-0.2, 0.9, 0.1}, {0.3, -0.2, 0.8}});
+  targets.edges = {{"free rim", EdgeSupport::free},
+                   {"hinged rim", EdgeSupport::hinged},
+                   {"clamped rim", EdgeSupport::clamped, conormal},
+                   {"line", EdgeSupport::inner}};
   return targets;
+}
+
+/** Variants that a choice among words makes. */
+std::vector<std::unique_ptr<Effect>> variants(const EffectLibrary &library, const std::string &name)
+{
+  std::vector<std::unique_ptr<Effect>> all;
+  all.push_back(library.create(name));
+  ParameterSection section(section_name(name));
+  all[0]->bind(section);
+  for (std::size_t e = 0; e < section.entries().size(); ++e)
+    for (std::size_t choice = 1; choice < section.entries()[e].choices.size(); ++choice)
+    {
+      all.push_back(library.create(name));
+      ParameterSection of_variant(section_name(name));
+      all.back()->bind(of_variant);
+      *std::get<std::string *>(of_variant.entries()[e].target) = of_variant.entries()[e].choices[choice];
+    }
+  return all;
 }
 
 // Every energy and constraint of every effect, and their derivatives with respect to parameters; with parameters away
 // from special values and a skew reference; and the mesh energy.
 std::vector<ListedPotential> listed_potentials()
 {
-  const EffectLibrary library = standard_effects();
+  const EffectLibrary library = director_effects(); // these include the standard ones
   std::vector<ListedPotential> all;
   for (const std::string &name : library.names())
   {
-    const std::unique_ptr<Effect> effect = library.create(name);
-    ParameterSection section(section_name(name));
-    effect->bind(section);
-    double value = 0.7;
-    for (const ParameterSection::Entry &entry : section.entries())
-      if (const auto number = std::get_if<double *>(&entry.target))
-        **number =
-            std::isfinite(entry.range.upper) ? 0.4 * entry.range.lower + 0.6 * entry.range.upper : (value += 0.4);
-    PotentialSet set;
-    SceneTargets targets = generous_targets();
-    effect->prepare(Scales{}, targets);
-    effect->contribute(Scales{}, targets, set);
-    EXPECT_FALSE(set.energies.empty() && set.constraints.empty()) << name;
-    for (const auto &energy : set.energies)
-      all.push_back({name, energy});
-    for (const Constraint &constraint : set.constraints)
+    for (const std::unique_ptr<Effect> &effect : variants(library, name))
     {
-      all.push_back({name, constraint.measure});
-      if (constraint.self_term)
-        all.push_back({name + ", self term", constraint.self_term});
+      ParameterSection section(section_name(name));
+      effect->bind(section);
+      double value = 0.7;
+      for (const ParameterSection::Entry &entry : section.entries())
+        if (const auto number = std::get_if<double *>(&entry.target))
+          **number =
+              std::isfinite(entry.range.upper) ? 0.4 * entry.range.lower + 0.6 * entry.range.upper : (value += 0.4);
+      PotentialSet set;
+      SceneTargets targets = generous_targets();
+      effect->prepare(Scales{}, targets);
+      effect->contribute(Scales{}, targets, set);
+      EXPECT_FALSE(set.energies.empty() && set.constraints.empty() && set.dissipations.empty()) << name;
+      for (const auto &energy : set.energies)
+        all.push_back({name, energy});
+      for (const Constraint &constraint : set.constraints)
+      {
+        all.push_back({name, constraint.measure});
+        if (constraint.self_term)
+          all.push_back({name + ", self term", constraint.self_term});
+      }
+      for (const ParameterDerivative &derivative : effect->derivatives(Scales{}, targets))
+        if (derivative.energy)
+          all.push_back({"derivative with respect to " + derivative.parameter, derivative.energy});
     }
-    for (const ParameterDerivative &derivative : effect->derivatives(Scales{}, targets))
-      if (derivative.energy)
-        all.push_back({"derivative with respect to " + derivative.parameter, derivative.energy});
   }
+  all.push_back({"null lagrangian", null_lagrangian({1.7, 0.8, -0.6})});
   all.push_back({"mesh distortion", make_mesh_distortion({{1.3, 0.2, 0.9}})});
   return all;
 }
@@ -102,12 +134,17 @@ struct Point
     }
     for (unsigned int i = 0; i < n_inputs; ++i)
       inputs.push_back(uniform(random));
+    const std::vector<FieldUse> fields = potential.fields();
     for (std::size_t f = 0; f < offsets.size(); ++f)
+    {
+      if (fields[f].space == FieldSpace::unit_vectors)
+        inputs[offsets[f] + 2] += 1.; // near e_z
       if (slots[f] > 1)
       {
         inputs[offsets[f] + 3] += 1.; // ,1 near e_x
         inputs[offsets[f] + 7] += 1.; // ,2 near e_y
       }
+    }
   }
 };
 

@@ -87,6 +87,12 @@ public:
   /** Takes over a state and eliminates the internal fields. Throws SolveError if that fails. */
   void set_state(SurfaceState state);
 
+  /** From the present state a time step of that length begins: until the next one, equilibrium means that energies +
+   * length * D((y - y_old)/length) are stationary, D the listed dissipation potentials. */
+  void begin_time_step(double length);
+  /** length * D of the step so far. */
+  double step_dissipation() const;
+
   /** Energies and constraint values of the current state. */
   const TermValues &values() const { return current_values; }
   const Numbering &numbering() const { return system->numbering(); }
@@ -129,8 +135,12 @@ public:
   double displacement(const std::vector<double> &direction) const override;
   /** The direction that comes nearest to nodal displacements; its entries for other fields are zero. */
   std::vector<double> direction_of(const NodalVectors &displacements) const;
-  /** Nodal displacements along a direction. */
-  NodalVectors displacements(const std::vector<double> &direction) const;
+  /** Changes of a field's nodal values along a direction; displacements, of the position. */
+  NodalVectors displacements(const std::vector<double> &direction, std::size_t field = 0) const;
+  /** The field of which instability is a matter: the position or, on a surface that is held, the directors. */
+  std::size_t field_that_moves() const;
+  /** Adds changes to a field's nodal values; unit vectors keep their length. */
+  void displace(SurfaceState &state, std::size_t field, double factor, const NodalVectors &changes) const;
   double energy() const override;
 
 private:

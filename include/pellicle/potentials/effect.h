@@ -3,6 +3,8 @@
 
 #include <pellicle/base/parameters.h>
 #include <pellicle/base/scales.h>
+#include <pellicle/potentials/director/director_targets.h>
+#include <pellicle/potentials/dissipation.h>
 #include <pellicle/potentials/potential.h>
 #include <pellicle/potentials/reference_metric.h>
 #include <pellicle/potentials/shell/shell_targets.h>
@@ -60,13 +62,14 @@ struct NamedQuantity
   Dimension dimension;
 };
 
-/** The lists that make a scene: energies and constraints. What is not listed costs nothing. */
+/** The lists that make a scene: energies, constraints and dissipation potentials. What is not listed costs nothing. */
 struct PotentialSet
 {
   std::vector<std::shared_ptr<const Potential>> energies;
   std::vector<Constraint> constraints;
   std::vector<NamedQuantity> prescribed; ///< forces, only for reports
   std::vector<NamedQuantity> constants;  ///< energies that no shape changes, only for reports
+  std::vector<Dissipation> dissipations = {};
 };
 
 /** Coefficients of the bending energy (kappa/2)(2H + C0)^2. */
@@ -128,6 +131,13 @@ struct SceneTargets
   std::shared_ptr<const std::vector<double>> cell_sizes = nullptr;
   /** Metric of the reference shape at every quadrature point, for elastic skins; null while a scene is only checked. */
   std::shared_ptr<const std::vector<ReferenceMetric>> reference = nullptr;
+  /** Where the directors start, at every quadrature point, for what is carried along from there; null while a scene is
+   * only checked. */
+  std::shared_ptr<const std::vector<DirectorPoint>> director_start = nullptr;
+  /** Of scenes with directors. */
+  std::optional<DirectorLaw> directors = std::nullopt;
+  /** The same for effects that need them. Throws UserError if the scene has none. */
+  const DirectorLaw &director_law() const;
 };
 
 /**
@@ -170,7 +180,7 @@ public:
   {
     return {};
   }
-  /** Adds energies and constraints in internal units. */
+  /** Adds energies, constraints and dissipation potentials in internal units. */
   virtual void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const = 0;
 };
 

@@ -47,16 +47,15 @@ private:
  * The same energy with the shear q as a field of its own, which does not lock and admits k_t = infinity: minimum in O,
  * maximum in q of the integral of
  *
- *     (k_0/2) |O_tan|^2 + q . O_tan - |q|^2/(2 (k_t - k_0)) - (1/(2 k_0)) (q . n)^2,     q_tan = (k_t - k_0) O_tan
- * there
+ *     (k_0/2) |O_tan|^2 + t (q . O_tan - |q|^2/(2 k_t)) - (d/(2 k_0)) (q . n)^2,     t = 1 - k_0/k_t,
+ *     q = k_t O_tan there
  *
  * (Hellinger & Reissner, with part k_0 < k_t of the modulus left in displacement form after Arnold & Brezzi 1997, which
- * makes the gradient's energy coercive whatever the spaces). k_0 changes with the mesh and by it the discretisation
- * error, not the limit. The last term fixes the normal part of q, of which the others say nothing if k_t = infinity;
- * the exact q is tangential, so it is consistent, and its weight is small as h^2 with k_0 ~ K/h^2, so that it does not
- * hold q, which cannot be tangential at every point.
- *
- * The shear force per area that the directors exert is (k_0) O_tan + q, in the limit k_t O_tan.
+ * makes the gradient's energy coercive whatever the spaces, and holds the positions of surfaces that move). k_0 changes
+ * with the mesh, and by it the discretisation error, not the limit. The factor t, not q, takes up that k_0 jumps from
+ * cell to cell: q is the whole shear force per area that the directors exert, and continuous. The last term fixes the
+ * normal part of q, of which the others say nothing; the exact q is tangential, so it is consistent. d = 1/10 was
+ * measured (doc/numerics.md, "Directors").
  */
 struct MixedTiltEnergy
 {
@@ -64,6 +63,8 @@ struct MixedTiltEnergy
                                                    director_field(Derivatives::none),
                                                    director_shear_field()}};
   static constexpr bool reparametrisation_invariant = true; ///< its stationary value in q
+
+  static constexpr double normal_weight = 0.1; ///< d
 
   double tilt_modulus = 1.;                          ///< k_t, internal units; may be infinite
   std::shared_ptr<const std::vector<double>> direct; ///< 0 < k_0 < k_t by PointData::index
@@ -84,13 +85,11 @@ private:
   TangentialForm<2> form(const PointData &data) const
   {
     const double k_0 = (*direct)[data.index];
+    const double t   = std::isinf(tilt_modulus) ? 1. : 1. - k_0 / tilt_modulus;
     TangentialForm<2> f;
-    f.alpha = {{{k_0, 1.}, {1., -compliance(k_0)}}};
-    f.beta  = {{{k_0, 1.}, {1., 1. / k_0}}};
+    f.alpha = {{{k_0, t}, {t, -t / tilt_modulus}}};
+    f.beta  = {{{k_0, t}, {t, normal_weight / k_0}}};
     return f;
   }
-
-  /** 1/(k_t - k_0). */
-  double compliance(const double k_0) const { return std::isinf(tilt_modulus) ? 0. : 1. / (tilt_modulus - k_0); }
 };
 } // namespace pellicle

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/models/vesicle_scene.h>
+
+#include <string>
+#include <vector>
+
+namespace pellicle
+{
+/** Section "Surface": which surface carries the directors, and whether it moves. */
+struct CarrierParameters
+{
+  std::string shape  = "vesicle";
+  std::string motion = "free";
+
+  void bind(ParameterSection &section);
+};
+
+/** Section "Inclusion": a rigid disc in a membrane that starts flat, in the user's units. */
+struct InclusionParameters
+{
+  double radius       = 1.;
+  double outer_radius = 20.;
+  double edge_tilt    = 0.5;
+
+  void bind(ParameterSection &section);
+};
+
+/** Section "Director field": directors at the start, and what holds them at rims. */
+struct DirectorFieldParameters
+{
+  std::string start  = "normal";
+  double angle       = 0.;
+  double noise       = 0.;
+  int random_seed    = 1;
+  std::string at_rim = "free";
+
+  void bind(ParameterSection &section);
+};
+
+/** A membrane with directors: a vesicle, an open membrane, or a flat one around an inclusion; held or free to move. */
+class DirectorScene : public VesicleScene
+{
+public:
+  CarrierParameters carrier;
+  InclusionParameters inclusion;
+  DirectorFieldParameters field;
+
+  void check() const override;
+  SurfaceDiscretization start_mesh() const override;
+  std::map<std::string, std::vector<Vector3<double>>> rim_conormals(const SurfaceDiscretization &start) const override;
+  std::vector<SceneEdge> edges() const override;
+  NodalConditions conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const override;
+  SurfaceMeasures measures(const Scales &scales) const override;
+  void add_references(const SurfaceDiscretization &start, SceneTargets &targets) const override;
+
+protected:
+  void add_own_sections(std::vector<ParameterSection> &all) override;
+  double own_length() const override;
+  bool is_fixed(const std::string &parameter) const override;
+
+private:
+  bool has_inclusion() const { return carrier.shape == "inclusion"; }
+  bool is_held() const { return carrier.motion == "held"; }
+  SurfaceDiscretization bare_mesh() const;
+};
+} // namespace pellicle

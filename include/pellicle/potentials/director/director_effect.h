@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/potentials/effect.h>
+
+namespace pellicle
+{
+struct DirectorParameters
+{
+  double tilt_modulus     = 1.;
+  double bending_modulus  = 1.;
+  double gaussian_modulus = 0.;
+  std::string shear       = "mixed";
+
+  void bind(ParameterSection &section);
+};
+
+/**
+ * The effect "director": the energies "tilt" (k_t/2) |O_tan|^2 and "director gradient" (K/2) |grad O|^2
+ * of (23) of Hu, Zhang & E 2007. The null Lagrangian is not among them; see null_lagrangian().
+ */
+class DirectorEffect : public Effect
+{
+public:
+  const std::string &name() const override;
+  std::string description() const override;
+  void bind(ParameterSection &section) override { parameters.bind(section); }
+  void check() const override;
+  std::optional<double> typical_energy(double length) const override;
+  void prepare(const Scales &scales, SceneTargets &targets) const override;
+  /** By Director/Tilt modulus, unless it is infinite. */
+  std::vector<ParameterDerivative> derivatives(const Scales &scales, const SceneTargets &targets) const override;
+  void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
+
+  DirectorParameters parameters;
+};
+
+/** k_0 = min(K/(10 h^2), k_t/2) at every quadrature point, the part of the tilt modulus that MixedTiltEnergy leaves in
+ * displacement form; null while the scene is only checked. */
+std::shared_ptr<const std::vector<double>> direct_tilt_modulus(const DirectorLaw &law, const SceneTargets &targets);
+
+/** (K + kappa_G)/2 e^ab (O,a x O,b) . O, named "null lagrangian": for reports. */
+std::shared_ptr<const Potential> null_lagrangian(const DirectorLaw &law);
+} // namespace pellicle

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/body_nodes.h>
+#include <pellicle/assembly/edge_frames.h>
+#include <pellicle/assembly/nodal_chart.h>
+#include <pellicle/discretization/point_walk.h>
+#include <pellicle/models/director_scene.h>
+#include <pellicle/models/director_start.h>
+#include <pellicle/models/surface_model.h>
+#include <pellicle/potentials/director/director_effect.h>
+#include <pellicle/potentials/director/director_fields.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pellicle
+{
+namespace
+{
+constexpr const char *inclusion_edge = "inclusion";
+constexpr const char *outer_edge     = "outer rim";
+
+std::vector<std::size_t> all_nodes(const SurfaceDiscretization &surface)
+{
+  std::vector<std::size_t> nodes(surface.n_nodes);
+  std::iota(nodes.begin(), nodes.end(), 0);
+  return nodes;
+}
+
+/** Directors at the rim of the inclusion: tilted outwards by the angle. */
+void tilt_at_edge(const SurfaceDiscretization &surface, const double angle, NodalVectors &directors)
+{
+  for (const EdgeLoop &loop : surface.edges)
+    if (loop.name == inclusion_edge)
+      for (const std::size_t node : loop.cell_nodes)
+      {
+        const double x = surface.positions[3 * node], y = surface.positions[3 * node + 1], r = std::hypot(x, y);
+        directors[3 * node]     = std::sin(angle) * x / r;
+        directors[3 * node + 1] = std::sin(angle) * y / r;
+        directors[3 * node + 2] = std::cos(angle);
+      }
+}
+} // namespace
+
+void CarrierParameters::bind(ParameterSection &section)
+{
+  section.choice("Shape", shape, {"vesicle", "inclusion"},
+                 "The surface that carries the directors. vesicle: the start shape of section Vesicle, closed or open. "
+                 "inclusion: a flat membrane around a disc, of section Inclusion.");
+  section.choice("Motion", motion, {"free", "held"},
+                 "free: the surface takes the shape of least energy. held: it stays as it starts, only the directors "
+                 "are solved for.");
+}
+
+void InclusionParameters::bind(ParameterSection &section)
+{
+  section.number("Radius", radius, Range::positive(), dimensions::length, "Radius a of the inclusion.");
+  section.number("Outer radius", outer_radius, Range::positive(), dimensions::length,
+                 "Radius b of the membrane; there the directors are along its normal.");
+  section.number("Edge tilt", edge_tilt, Range::between(-1.5, 1.5), dimensions::none,
+                 "Angle in radians by which the directors at the inclusion are tilted outwards from the normal.");
+}
+
+void DirectorFieldParameters::bind(ParameterSection &section)
+{
+  section.choice("Start", start, director_start_names(),
+                 "Directors at the start. normal: the unit normals n. turned: n turned about the z axis by Angle. "
+                 "towards z: tilted towards +z by Angle times the sine of the normal's polar angle. meridional, "
+                 "azimuthal: in the surface, in the plane of n and z or at right angles to it.");
+  section.number("Angle", angle, Range::between(-3.2, 3.2), dimensions::none, "Angle in radians, see Start.");
+  section.number("Noise", noise, Range::between(0., 0.5), dimensions::none,
+                 "Random part of the directors at the start: uniform in [-f, f] in each component.");
+  section.integer("Random seed", random_seed, 0, 2147483647, "Seed of the noise.");
+  section.choice("At rim", at_rim, {"free", "held"},
+                 "Directors at the rims of an open start shape: free to turn, or held as they start. At an inclusion, "
+                 "and on the rim around it, they are held.");
+}
+
+void DirectorScene::add_own_sections(std::vector<ParameterSection> &all)
+{
+  add_section(all, "Surface", carrier);
+  VesicleScene::add_own_sections(all);
+  add_section(all, "Inclusion", inclusion);
+  add_section(all, "Director field", field);
+}
+
+void DirectorScene::check() const
+{
+  if (find<DirectorEffect>() == nullptr)
+    throw UserError("The list Effects has no 'director': this application solves for directors. Add it, or use the "
+                    "application 'vesicle'.");
+  if (has_inclusion() && !(inclusion.outer_radius > inclusion.radius))
+    throw UserError("Inclusion/Outer radius must be larger than Inclusion/Radius.");
+  VesicleScene::check();
+}
+
+bool DirectorScene::is_fixed(const std::string &parameter) const
+{
+  for (const char *section : {"Surface/", "Inclusion/", "Director field/"})
+    if (parameter.rfind(section, 0) == 0)
+      return true;
+  return VesicleScene::is_fixed(parameter);
+}
+
+double DirectorScene::own_length() const
+{
+  return has_inclusion() ? inclusion.radius : VesicleScene::own_length();
+}
+
+SurfaceDiscretization DirectorScene::bare_mesh() const
+{
+  if (!has_inclusion())
+    return VesicleScene::start_mesh();
+  StartShape ring   = start_shape();
+  ring.name         = "annulus";
+  ring.inner_radius = inclusion.radius;
+  ring.outer_radius = inclusion.outer_radius;
+  // Tilt decays over a few radii or less: cells at the inclusion are a fifth of equal ones.
+  constexpr double graded = 0.2;
+  ring.smallest_cell      = graded * (ring.outer_radius - ring.inner_radius) / (ring.radial_cells << ring.refinements);
+  SurfaceDiscretization mesh = make_start_shape(ring);
+  mesh.edges[0].name         = inclusion_edge;
+  mesh.edges[1].name         = outer_edge;
+  return mesh;
+}
+
+SurfaceDiscretization DirectorScene::start_mesh() const
+{
+  SurfaceDiscretization mesh = bare_mesh();
+  NodalVectors directors     = start_directors(mesh, field.start, field.angle);
+  add_director_noise(mesh, field.noise, field.random_seed, directors);
+  if (has_inclusion())
+  {
+    const NodalVectors normals = nodal_normals(mesh, mesh.positions);
+    for (const EdgeLoop &loop : mesh.edges)
+      for (const std::size_t node : loop.cell_nodes)
+        std::copy_n(&normals[3 * node], 3, &directors[3 * node]);
+    tilt_at_edge(mesh, inclusion.edge_tilt, directors);
+  }
+  mesh.start_values[std::string(director)] = std::move(directors);
+  return mesh;
+}
+
+std::map<std::string, std::vector<Vector3<double>>>
+DirectorScene::rim_conormals(const SurfaceDiscretization &start) const
+{
+  if (has_inclusion())
+    return {};
+  return VesicleScene::rim_conormals(start);
+}
+
+std::vector<SceneEdge> DirectorScene::edges() const
+{
+  if (has_inclusion())
+    return {{inclusion_edge, EdgeSupport::hinged}, {outer_edge, EdgeSupport::hinged}};
+  return VesicleScene::edges();
+}
+
+NodalConditions DirectorScene::conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const
+{
+  NodalConditions conditions = VesicleScene::conditions(surface, targets);
+  if (is_held())
+    hold_nodes(conditions, "position", all_nodes(surface), surface.n_nodes);
+  if (has_inclusion() || field.at_rim == "held")
+    for (const EdgeLoop &loop : surface.edges)
+      if (loop.is_rim)
+        hold_nodes(conditions, std::string(director), loop.cell_nodes, surface.n_nodes);
+  return conditions;
+}
+
+void DirectorScene::add_references(const SurfaceDiscretization &start, SceneTargets &targets) const
+{
+  std::vector<DirectorPoint> points;
+  const NodalVectors &directors = start.start_values.at(std::string(director));
+  for_all_points(start.tables, start.cell_nodes, start.positions, 3,
+                 [&](const WalkPoint &x) {
+                   points.push_back({x[1], x[2], {}});
+                 });
+  std::size_t next = 0;
+  for_all_points(start.tables, start.cell_nodes, directors, 1, [&](const WalkPoint &O) { points[next++].O = O[0]; });
+  targets.director_start = std::make_shared<const std::vector<DirectorPoint>>(std::move(points));
+}
+
+SurfaceMeasures DirectorScene::measures(const Scales &scales) const
+{
+  return [of_vesicle = VesicleScene::measures(scales)](const SurfaceModel &model)
+  {
+    std::vector<NamedQuantity> list = of_vesicle(model);
+    PotentialSet null;
+    null.energies.push_back(null_lagrangian(model.scene_targets().director_law()));
+    list.push_back({"null_lagrangian_energy", model.equilibrium().value_of(null), dimensions::energy});
+    return list;
+  };
+}
+} // namespace pellicle

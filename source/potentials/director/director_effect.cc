@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/exceptions.h>
+#include <pellicle/potentials/density_potential.h>
+#include <pellicle/potentials/director/director_effect.h>
+#include <pellicle/potentials/director/director_gradient.h>
+#include <pellicle/potentials/director/tilt_energy.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pellicle
+{
+namespace
+{
+const std::string tilt_energy = "tilt", gradient_energy = "director gradient";
+
+/** c of k_0 = min(c K/h^2, k_t/2): of those that were tried the most accurate (doc/numerics.md, "Directors"). */
+constexpr double direct_share = 0.1;
+
+/** Derivative of MixedTiltEnergy with respect to k_t, of which k_0 = k_t/2 takes its half where it is not bounded by
+ * the cell's size. */
+struct MixedTiltDerivative
+{
+  static constexpr std::array<FieldUse, 3> fields   = MixedTiltEnergy::fields;
+  static constexpr bool reparametrisation_invariant = true;
+
+  double factor;
+  double tilt_modulus;
+  std::shared_ptr<const std::vector<double>> direct;
+
+  template <typename Number>
+  Number density(const PointInputs<Number, 3> &inputs, const PointData &data) const
+  {
+    const double k_0 = (*direct)[data.index], k_t = tilt_modulus;
+    const bool is_half    = k_0 >= 0.5 * k_t;
+    const double k_0_rate = factor * (is_half ? 0.5 : 0.), t_rate = factor * (is_half ? 0. : k_0 / (k_t * k_t));
+    const double compliance_rate = factor * (is_half ? -0.5 : 2. * k_0 / k_t - 1.) / (k_t * k_t); // of t/k_t
+    const double normal_rate     = -MixedTiltEnergy::normal_weight * k_0_rate / (k_0 * k_0);
+    TangentialForm<2> rate;
+    rate.alpha = {{{k_0_rate, t_rate}, {t_rate, -compliance_rate}}};
+    rate.beta  = {{{k_0_rate, t_rate}, {t_rate, normal_rate}}};
+    return rate.density(inputs[0], std::array<Vector3<Number>, 2>{inputs[1].value(), inputs[2].value()});
+  }
+};
+} // namespace
+
+void DirectorParameters::bind(ParameterSection &section)
+{
+  section.number("Tilt modulus", tilt_modulus, Range::positive().or_infinite(), dimensions::tension,
+                 "Tilt modulus k_t in (k_t/2) |O - (O.n) n|^2 per area. inf: the directors stay normal, and the model "
+                 "is that of Helfrich with bending rigidity K.");
+  section.number("Bending modulus", bending_modulus, Range::positive(), dimensions::energy,
+                 "Bending modulus K = k_1 + eps_1 in (K/2) |grad O|^2 per area.");
+  section.number(
+      "Gaussian modulus", gaussian_modulus, Range::any(), dimensions::energy,
+      "Gaussian modulus kappa_G = -2 eps_1 of the model with normal directors. It weighs the null Lagrangian "
+      "(K + kappa_G)/2 e^ab (O,a x O,b).O, which is only reported, and the spontaneous curvature.");
+  section.choice(
+      "Shear", shear, {"mixed", "direct"},
+      "mixed: the force that holds the tilt is a field of its own, for any tilt modulus. direct: without it; loses "
+      "accuracy as k_t h^2/K grows above 1, h the distance of nodes.");
+}
+
+const std::string &DirectorEffect::name() const
+{
+  static const std::string text = "director";
+  return text;
+}
+
+std::string DirectorEffect::description() const
+{
+  return "Unit directors O on the membrane: energy of tilt (k_t/2) |O - (O.n) n|^2 and of their gradient (K/2) |grad "
+         "O|^2 per area.";
+}
+
+void DirectorEffect::check() const
+{
+  if (parameters.shear == "direct" && std::isinf(parameters.tilt_modulus))
+    throw UserError(
+        "Director/Tilt modulus = inf needs Director/Shear = mixed: in the direct form it would be a stiffness "
+        "without bound. Choose mixed or a finite modulus.");
+}
+
+std::optional<double> DirectorEffect::typical_energy(double /*length*/) const
+{
+  return parameters.bending_modulus;
+}
+
+void DirectorEffect::prepare(const Scales &scales, SceneTargets &targets) const
+{
+  const DirectorParameters p = scaled(parameters, scales);
+  targets.directors          = DirectorLaw{p.tilt_modulus, p.bending_modulus, p.gaussian_modulus};
+}
+
+void DirectorEffect::contribute(const Scales & /*scales*/, const SceneTargets &targets, PotentialSet &set) const
+{
+  const DirectorLaw &law = targets.director_law();
+  if (parameters.shear == "mixed")
+    set.energies.push_back(std::make_shared<DensityPotential<MixedTiltEnergy>>(
+        tilt_energy, MixedTiltEnergy{law.tilt_modulus, direct_tilt_modulus(law, targets)}));
+  else
+    set.energies.push_back(std::make_shared<DensityPotential<TiltEnergy>>(tilt_energy, TiltEnergy{law.tilt_modulus}));
+  set.energies.push_back(std::make_shared<DensityPotential<DirectorGradientEnergy>>(
+      gradient_energy, DirectorGradientEnergy{law.bending_modulus}));
+}
+
+std::vector<ParameterDerivative> DirectorEffect::derivatives(const Scales &scales, const SceneTargets &targets) const
+{
+  if (std::isinf(parameters.tilt_modulus))
+    return {};
+  const double per_unit = 1. / scales.of(dimensions::tension);
+  std::shared_ptr<const Potential> energy;
+  if (parameters.shear == "direct")
+    energy = std::make_shared<DensityPotential<TiltEnergy>>(tilt_energy, TiltEnergy{per_unit});
+  else
+  {
+    const DirectorParameters p = scaled(parameters, scales);
+    const DirectorLaw law{p.tilt_modulus, p.bending_modulus, p.gaussian_modulus};
+    energy = std::make_shared<DensityPotential<MixedTiltDerivative>>(
+        tilt_energy, MixedTiltDerivative{per_unit, law.tilt_modulus, direct_tilt_modulus(law, targets)});
+  }
+  return {{"Director/Tilt modulus", energy, "", 0.}};
+}
+
+std::shared_ptr<const std::vector<double>> direct_tilt_modulus(const DirectorLaw &law, const SceneTargets &targets)
+{
+  if (!targets.cell_sizes)
+    return nullptr;
+  auto direct = std::make_shared<std::vector<double>>();
+  direct->reserve(targets.cell_sizes->size());
+  for (const double h_squared : *targets.cell_sizes)
+    direct->push_back(std::min(direct_share * law.bending_modulus / h_squared, 0.5 * law.tilt_modulus));
+  return direct;
+}
+
+std::shared_ptr<const Potential> null_lagrangian(const DirectorLaw &law)
+{
+  return std::make_shared<DensityPotential<NullLagrangian>>("null lagrangian", NullLagrangian{law.null_modulus()});
+}
+} // namespace pellicle
