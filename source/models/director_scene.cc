@@ -42,6 +42,15 @@ void tilt_at_edge(const SurfaceDiscretization &surface, const double angle, Noda
         directors[3 * node + 2] = std::cos(angle);
       }
 }
+/** Size of the cells at the inclusion: a fraction of the decay length of tilt, sqrt(K/k_t), or of the radius, whichever
+ * is smaller; halved by each refinement; or what equal cells have. */
+double smallest_cell(const InclusionParameters &inclusion, const DirectorParameters &law, const StartShape &ring)
+{
+  constexpr double fraction = 0.6; // on the coarsest mesh
+  const double decay = std::sqrt(law.bending_modulus / law.tilt_modulus), cells = 1u << ring.refinements;
+  const double equal = (inclusion.outer_radius - inclusion.radius) / (ring.radial_cells * cells);
+  return std::min(equal, fraction * std::min(decay, inclusion.radius) / cells);
+}
 } // namespace
 
 void CarrierParameters::bind(ParameterSection &section)
@@ -139,13 +148,11 @@ SurfaceDiscretization DirectorScene::bare_mesh() const
 {
   if (!has_inclusion())
     return VesicleScene::start_mesh();
-  StartShape ring   = start_shape();
-  ring.name         = "annulus";
-  ring.inner_radius = inclusion.radius;
-  ring.outer_radius = inclusion.outer_radius;
-  // Tilt decays over a few radii or less: cells at the inclusion are a fifth of equal ones.
-  constexpr double graded = 0.2;
-  ring.smallest_cell      = graded * (ring.outer_radius - ring.inner_radius) / (ring.radial_cells << ring.refinements);
+  StartShape ring            = start_shape();
+  ring.name                  = "annulus";
+  ring.inner_radius          = inclusion.radius;
+  ring.outer_radius          = inclusion.outer_radius;
+  ring.smallest_cell         = smallest_cell(inclusion, find<DirectorEffect>()->parameters, ring);
   SurfaceDiscretization mesh = make_start_shape(ring);
   mesh.edges[0].name         = inclusion_edge;
   mesh.edges[1].name         = outer_edge;
