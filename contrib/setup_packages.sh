@@ -7,7 +7,7 @@ packages=(
   # build
   g++ cmake ninja-build git ccache
   # libraries (those of the first line come with deal.II; our own CMake files look for them too)
-  libdeal.ii-dev libmumps-dev libsuitesparse-dev libarpack2-dev libtbb-dev libtrilinos-sacado-dev libmuparser-dev
+  libdeal.ii-dev libmumps-dev libsuitesparse-dev libarpack2-dev libsundials-dev libtbb-dev libtrilinos-sacado-dev libmuparser-dev
   libeigen3-dev nlohmann-json3-dev libcli11-dev libginac-dev
   # factorisations run 3 to 5 times faster than with the reference BLAS
   libopenblas0-pthread

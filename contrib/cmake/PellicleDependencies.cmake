@@ -66,6 +66,16 @@ if(NOT TARGET pellicle_arpack)
   set_property(TARGET pellicle_arpack PROPERTY INTERFACE_LINK_LIBRARIES "${PELLICLE_ARPACK}")
 endif()
 
+# Integration in time. deal.II is linked with it as well.
+find_path(PELLICLE_IDAS_INCLUDE idas/idas.h REQUIRED)
+find_library(PELLICLE_IDAS sundials_idas REQUIRED)
+find_library(PELLICLE_NVECTOR sundials_nvecserial REQUIRED)
+if(NOT TARGET pellicle_idas)
+  add_library(pellicle_idas INTERFACE IMPORTED)
+  set_property(TARGET pellicle_idas PROPERTY INTERFACE_INCLUDE_DIRECTORIES "${PELLICLE_IDAS_INCLUDE}")
+  set_property(TARGET pellicle_idas PROPERTY INTERFACE_LINK_LIBRARIES "${PELLICLE_IDAS};${PELLICLE_NVECTOR}")
+endif()
+
 find_dependency(Eigen3)
 find_dependency(nlohmann_json)
 find_dependency(CLI11)

@@ -22,7 +22,9 @@ Assembler::Selection Assembler::everything(const PotentialSet &set, const FieldL
   Selection all;
   all.energies.resize(set.energies.size());
   all.constraints.resize(set.constraints.size());
+  all.dissipations.resize(set.dissipations.size());
   std::iota(all.energies.begin(), all.energies.end(), 0);
+  std::iota(all.dissipations.begin(), all.dissipations.end(), 0);
   std::iota(all.constraints.begin(), all.constraints.end(), 0);
   all.fields.assign(layout.fields().size(), true);
   return all;
@@ -51,6 +53,11 @@ Assembler::Assembler(const SurfaceDiscretization &discretization, const FieldLay
 {
   for (const std::size_t k : selection.energies)
     place(*set.energies[k], {k, Term::all_regions, 0, layout.offsets(*set.energies[k]), {}}, &Work::energies);
+  for (const std::size_t k : selection.dissipations)
+  {
+    const Potential &over_step = *set.dissipations[k].over_step;
+    place(over_step, {k, Term::all_regions, 0, layout.offsets(over_step), {}}, &Work::dissipations);
+  }
   for (const std::size_t k : selection.constraints)
   {
     const Constraint &constraint = set.constraints[k];
@@ -61,7 +68,7 @@ Assembler::Assembler(const SurfaceDiscretization &discretization, const FieldLay
             &Work::constraints);
   }
   for (std::size_t s = 0; s < work.size(); ++s)
-    if (!work[s].energies.empty() || !work[s].constraints.empty())
+    if (!work[s].energies.empty() || !work[s].constraints.empty() || !work[s].dissipations.empty())
       work[s].contraction = std::make_unique<Contraction>(tables_of(discretization, s), layout, selection.fields);
   for (const Cell &cell : own_cells(discretization, communicator))
     if (work[cell.set].contraction)
@@ -107,7 +114,8 @@ TermValues Assembler::loop(const PotentialSet &set, const FieldValues &values, c
   TermValues result{std::vector<double>(set.energies.size(), 0.),
                     std::vector<double>(set.constraints.size(), 0.),
                     std::vector<double>(set.constraints.size(), 0.),
-                    {}};
+                    {},
+                    std::vector<double>(set.dissipations.size(), 0.)};
   Element element;
   std::vector<std::vector<double>> constraint_gradients(set.constraints.size());
 
@@ -120,11 +128,11 @@ TermValues Assembler::loop(const PotentialSet &set, const FieldValues &values, c
   }
 
   std::vector<double> sums;
-  for (std::vector<double> *list : {&result.energies, &result.constraints, &result.compliances})
+  for (std::vector<double> *list : {&result.energies, &result.constraints, &result.compliances, &result.dissipations})
     sums.insert(sums.end(), list->begin(), list->end());
   communicator.sum(sums);
   auto next = sums.begin();
-  for (std::vector<double> *list : {&result.energies, &result.constraints, &result.compliances})
+  for (std::vector<double> *list : {&result.energies, &result.constraints, &result.compliances, &result.dissipations})
     for (double &value : *list)
       value = *next++;
   return result;
@@ -145,17 +153,21 @@ void Assembler::evaluate(const PotentialSet &set, const FieldValues &values, con
                           has_regions ? discretization.cell_region[cell.index] : 0};
   total.reset(tables.n_points, layout.n_inputs(), order);
 
-  double before = 0.;
-  for (const Term &term : here.energies)
+  double before       = 0.;
+  const auto add_term = [&](const Term &term, const Potential &potential, double &value)
   {
     if (!acts(term, cell))
-      continue;
+      return;
     ++counts.potential_calls;
-    set.energies[term.index]->add(points, term.offsets.data(), 1., order, total);
+    potential.add(points, term.offsets.data(), 1., order, total);
     const double after = integral(total);
-    values_of_terms.energies[term.index] += after - before;
+    value += after - before;
     before = after;
-  }
+  };
+  for (const Term &term : here.energies)
+    add_term(term, *set.energies[term.index], values_of_terms.energies[term.index]);
+  for (const Term &term : here.dissipations)
+    add_term(term, *set.dissipations[term.index].over_step, values_of_terms.dissipations[term.index]);
   for (std::vector<double> &gradient : constraint_gradients)
     gradient.clear();
   const Order at_most_gradient = std::min(order, Order::gradient);

@@ -17,6 +17,8 @@ FieldLayout::FieldLayout(const PotentialSet &set)
     if (constraint.self_term)
       declare(*constraint.self_term);
   }
+  for (const Dissipation &dissipation : set.dissipations)
+    declare(*dissipation.over_step);
   for (Field &field : list)
   {
     field.offset = inputs;

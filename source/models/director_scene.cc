@@ -7,6 +7,7 @@
 #include <pellicle/models/director_start.h>
 #include <pellicle/models/surface_model.h>
 #include <pellicle/potentials/director/director_effect.h>
+#include <pellicle/potentials/director/director_fields.h>
 
 #include <algorithm>
 #include <cmath>

@@ -60,6 +60,8 @@ bool is_reparametrisation_invariant(const PotentialSet &set)
 {
   return std::all_of(set.energies.begin(), set.energies.end(),
                      [](const auto &energy) { return energy->reparametrisation_invariant(); }) &&
+         std::all_of(set.dissipations.begin(), set.dissipations.end(),
+                     [](const Dissipation &d) { return d.over_step->reparametrisation_invariant(); }) &&
          std::all_of(set.constraints.begin(), set.constraints.end(),
                      [](const Constraint &c)
                      {
@@ -381,6 +383,8 @@ double SurfaceProblem::merit_of(const TermValues &values, const std::vector<doub
     merit += energy;
   for (const double energy : values.pairs)
     merit += energy;
+  for (const double dissipated : values.dissipations)
+    merit += dissipated;
   for (std::size_t k = 0; k < multipliers.size(); ++k)
   {
     const Constraint &constraint = set.constraints[k];

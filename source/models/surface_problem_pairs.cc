@@ -52,6 +52,9 @@ bool SurfaceProblem::needs_material_chart() const
   for (const auto &energy : set.energies)
     if (sees(*energy))
       return true;
+  for (const Dissipation &dissipation : set.dissipations)
+    if (sees(*dissipation.over_step))
+      return true;
   for (const Constraint &constraint : set.constraints)
     for (std::size_t p = 0; p < constraint.n_parts(); ++p)
       if (sees(constraint.part(p)))

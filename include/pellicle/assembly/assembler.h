@@ -27,6 +27,8 @@ struct TermValues
   std::vector<double> constraints; ///< g - lambda r, in the order of PotentialSet::constraints
   std::vector<double> compliances; ///< r of each constraint, see Constraint::self_term
   std::vector<double> pairs;       ///< energies of pair terms, which the assembler does not know
+  /** dt D of the time step, in the order of PotentialSet::dissipations; zero without a step. */
+  std::vector<double> dissipations = {};
 };
 
 /**
@@ -41,7 +43,7 @@ public:
    * wanted. */
   struct Selection
   {
-    std::vector<std::size_t> energies, constraints;
+    std::vector<std::size_t> energies, constraints, dissipations;
     std::vector<bool> fields;
   };
 
@@ -55,8 +57,8 @@ public:
   Assembler(const SurfaceDiscretization &discretization, const FieldLayout &layout, const PotentialSet &set,
             const Communicator &communicator, const Selection &selection);
 
-  /** element: derivatives of energies + multipliers . constraints; constraint_gradients[k]: of g_k - lambda_k r_k
-   * alone, rows as in Element. */
+  /** element: derivatives of energies + dissipations over the step + multipliers . constraints;
+   * constraint_gradients[k]: of g_k - lambda_k r_k alone, rows as in Element. */
   using Visitor = std::function<void(const Cell &cell, const Element &element,
                                      const std::vector<std::vector<double>> &constraint_gradients)>;
 
@@ -85,7 +87,7 @@ private:
   /** What acts on one set of cells. */
   struct Work
   {
-    std::vector<Term> energies, constraints;
+    std::vector<Term> energies, constraints, dissipations;
     std::unique_ptr<Contraction> contraction;
   };
 

@@ -5,18 +5,26 @@
 
 namespace pellicle
 {
-/** Physical dimension energy^e length^l of a parameter or a reported quantity. Membrane statics needs no other unit. */
+/** Physical dimension energy^e length^l time^t of a parameter or a reported quantity. Time is not scaled: a scene's own
+ * unit of time serves inside as well. */
 struct Dimension
 {
   int energy = 0;
   int length = 0;
+  int time   = 0;
 
   /** Text such as "energy/length^2"; "1" when dimensionless. Defined here so that the point rooms stay header-light. */
   const char *text() const
   {
-    const int code = 100 * energy + length;
+    const int code = 10000 * time + 100 * energy + length;
     switch (code)
     {
+    case 10000:
+      return "time";
+    case 10098:
+      return "energy time/length^2";
+    case -9900:
+      return "energy/time";
     case 0:
       return "1";
     case 1:
@@ -50,7 +58,8 @@ struct Dimension
 namespace dimensions
 {
 constexpr Dimension none{0, 0}, length{0, 1}, area{0, 2}, volume{0, 3}, curvature{0, -1}, gauss_curvature{0, -2},
-    energy{1, 0}, line_tension{1, -1}, tension{1, -2}, pressure{1, -3};
+    energy{1, 0}, line_tension{1, -1}, tension{1, -2}, pressure{1, -3}, time{0, 0, 1}, friction{1, -2, 1},
+    power{1, 0, -1};
 }
 
 /**

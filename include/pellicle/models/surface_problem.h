@@ -87,6 +87,12 @@ public:
   /** Takes over a state and eliminates the internal fields. Throws SolveError if that fails. */
   void set_state(SurfaceState state);
 
+  /** From the present state a time step of that length begins: until the next one, equilibrium means that energies +
+   * length * D((y - y_old)/length) are stationary, D the listed dissipation potentials. */
+  void begin_time_step(double length);
+  /** length * D of the step so far. */
+  double step_dissipation() const;
+
   /** Energies and constraint values of the current state. */
   const TermValues &values() const { return current_values; }
   const Numbering &numbering() const { return system->numbering(); }

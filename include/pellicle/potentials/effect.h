@@ -4,8 +4,10 @@
 #include <pellicle/base/parameters.h>
 #include <pellicle/base/scales.h>
 #include <pellicle/potentials/director/director_targets.h>
+#include <pellicle/potentials/dissipation.h>
 #include <pellicle/potentials/potential.h>
 #include <pellicle/potentials/reference_metric.h>
+#include <pellicle/potentials/shell/shell_targets.h>
 #include <pellicle/potentials/wetting/droplet_targets.h>
 #include <pellicle/potentials/wetting/ridge_targets.h>
 
@@ -60,13 +62,14 @@ struct NamedQuantity
   Dimension dimension;
 };
 
-/** The lists that make a scene: energies and constraints. What is not listed costs nothing. */
+/** The lists that make a scene: energies, constraints and dissipation potentials. What is not listed costs nothing. */
 struct PotentialSet
 {
   std::vector<std::shared_ptr<const Potential>> energies;
   std::vector<Constraint> constraints;
   std::vector<NamedQuantity> prescribed; ///< forces, only for reports
   std::vector<NamedQuantity> constants;  ///< energies that no shape changes, only for reports
+  std::vector<Dissipation> dissipations = {};
 };
 
 /** Coefficients of the bending energy (kappa/2)(2H + C0)^2. */
@@ -119,6 +122,10 @@ struct SceneTargets
   std::optional<RidgeTargets> substrate = std::nullopt;
   /** The same for effects that need one. Throws UserError if the scene has none. */
   const RidgeTargets &soft_substrate() const;
+  /** Of scenes with a shell. */
+  std::optional<ShellTargets> shell = std::nullopt;
+  /** The same for effects that need one. Throws UserError if the scene has none. */
+  const ShellTargets &shell_targets() const;
   /** Squared distance of neighbouring nodes on the start shape, at every quadrature point: a cell's area over k^2. Null
    * while a scene is only checked. */
   std::shared_ptr<const std::vector<double>> cell_sizes = nullptr;
@@ -173,7 +180,7 @@ public:
   {
     return {};
   }
-  /** Adds energies and constraints in internal units. */
+  /** Adds energies, constraints and dissipation potentials in internal units. */
   virtual void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const = 0;
 };
 

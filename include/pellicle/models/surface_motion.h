@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pellicle/base/observer.h>
+#include <pellicle/models/equilibrium_search.h>
+#include <pellicle/models/surface_problem.h>
+#include <pellicle/solvers/energy_balance.h>
+#include <pellicle/solvers/time_stepping.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pellicle
+{
+/** What a motion works with. */
+struct MotionSetting
+{
+  const NewtonParameters &newton;
+  SurfaceProblem &problem;
+  LinearSolver &solver;
+  const Communicator &communicator;
+  Timing &timing;
+};
+
+/**
+ * A surface that moves down its energy against the listed dissipation potentials, from the problem's state at time 0.
+ * What has no friction is in equilibrium with the rest at every time, at time 0 as well. After a failure the problem is
+ * at the last state that was reached.
+ */
+class SurfaceMotion
+{
+public:
+  virtual ~SurfaceMotion() = default;
+
+  /** To a later time; iterations are reported to the observer as those of `step`. Never throws for a motion that
+   * fails: the result says why. */
+  virtual StepResult advance(double to, int step, Observer &observer) = 0;
+
+  double time() const { return now; }
+  /** Energy dissipated per unit of time at the present time; internal units. */
+  double dissipation() const { return power; }
+  const EnergyBalance &balance() const { return books; }
+
+protected:
+  /** Settles what has no friction, within an instant. Throws SolveError. */
+  SurfaceMotion(const MotionSetting &setting, double interval);
+  /** The minimum over a step: false, at the state before, if Newton's method fails (`result` says why). */
+  bool solve_step(double length, int step, Observer &observer, StepResult &result);
+
+  MotionSetting setting;
+  double now   = 0.;
+  double power = 0.;
+  EnergyBalance books{0.};
+};
+
+/**
+ * The motion that section Time asks for. Throws UserError where nothing dissipates, where material points are not
+ * defined (a free surface on which no energy holds the points), or where the integrator cannot be used; SolveError if
+ * nothing balances the state at time 0.
+ */
+std::unique_ptr<SurfaceMotion> make_motion(const TimeParameters &time, const MotionSetting &setting);
+} // namespace pellicle
