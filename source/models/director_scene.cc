@@ -3,6 +3,7 @@
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/assembly/nodal_chart.h>
 #include <pellicle/discretization/point_walk.h>
+#include <pellicle/models/director_defects.h>
 #include <pellicle/models/director_scene.h>
 #include <pellicle/models/director_start.h>
 #include <pellicle/models/relaxation_system.h>
@@ -224,6 +225,13 @@ SurfaceMeasures DirectorScene::measures(const Scales &scales) const
     PotentialSet null;
     null.energies.push_back(null_lagrangian(model.scene_targets().director_law()));
     list.push_back({"null_lagrangian_energy", model.equilibrium().value_of(null), dimensions::energy});
+    if (const auto defects = director_defects(model))
+    {
+      list.push_back({"defects", static_cast<double>(defects->size()), dimensions::none});
+      const double charge = std::accumulate(defects->begin(), defects->end(), 0.,
+                                            [](const double sum, const Defect &d) { return sum + d.charge; });
+      list.push_back({"defect_charge", charge, dimensions::none});
+    }
     return list;
   };
 }
