@@ -10,5 +10,6 @@ int main(int argc, char **argv)
                                             "deformable bodies.",
                                             pellicle::droplet_effects(),
                                             {"liquid surface", "volume constraint", "wetting"},
-                                            [] { return std::make_unique<pellicle::DropletScene>(); }});
+                                            [](const auto & /*effects*/)
+                                            { return std::make_unique<pellicle::DropletScene>(); }});
 }

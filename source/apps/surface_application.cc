@@ -114,7 +114,7 @@ int run(const SurfaceApplication &application, const CommandLine &command_line, 
 std::unique_ptr<SurfaceScene> SurfaceApplication::scene(const std::vector<std::string> &effects,
                                                         const std::vector<std::string> &listed_analyses) const
 {
-  std::unique_ptr<SurfaceScene> result = empty_scene();
+  std::unique_ptr<SurfaceScene> result = empty_scene(effects);
   list_effects(*result, library, effects, listed_analyses);
   return result;
 }

@@ -10,6 +10,7 @@ int main(int argc, char **argv)
                                             "constraints of area and volume, tension and pressure.",
                                             pellicle::standard_effects(),
                                             {"helfrich bending", "area constraint", "volume constraint"},
-                                            [] { return std::make_unique<pellicle::VesicleScene>(); },
+                                            [](const auto & /*effects*/)
+                                            { return std::make_unique<pellicle::VesicleScene>(); },
                                             {{"phase diagram", pellicle::run_phase_diagram}}});
 }

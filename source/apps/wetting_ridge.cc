@@ -10,5 +10,6 @@ int main(int argc, char **argv)
                                             "pinned or a free contact line.",
                                             pellicle::ridge_effects(),
                                             {"liquid surface", "volume constraint", "solid", "solid skins"},
-                                            [] { return std::make_unique<pellicle::RidgeScene>(); }});
+                                            [](const auto & /*effects*/)
+                                            { return std::make_unique<pellicle::RidgeScene>(); }});
 }

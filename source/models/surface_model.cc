@@ -387,8 +387,7 @@ void SurfaceModel::look_at_stability(EquilibriumSearch &search)
     for (const double component : mode)
       largest = std::max(largest, std::abs(component));
     SurfaceState displaced = equilibrium;
-    for (std::size_t i = 0; i < mode.size(); ++i)
-      displaced.fields[0][i] += amplitude / largest * mode[i];
+    problem->displace(displaced, last_stability->field, amplitude / largest, mode);
     problem->set_state(displaced);
     if (!search.descend())
       return;

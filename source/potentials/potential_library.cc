@@ -20,6 +20,8 @@
 #include <pellicle/potentials/energies/surface_tension.h>
 #include <pellicle/potentials/energies/tu_ou_yang_skin.h>
 #include <pellicle/potentials/potential_library.h>
+#include <pellicle/potentials/shell/cosserat_shell.h>
+#include <pellicle/potentials/shell/shell_loads.h>
 #include <pellicle/potentials/solids/solid_effect.h>
 #include <pellicle/potentials/wetting/free_contact_line.h>
 #include <pellicle/potentials/wetting/line_pinning.h>
@@ -86,6 +88,9 @@ EffectLibrary director_effects()
   library.add("director", [] { return std::make_unique<DirectorEffect>(); });
   library.add("spontaneous director curvature", [] { return std::make_unique<SpontaneousDirectorCurvatureEffect>(); });
   library.add("director friction", [] { return std::make_unique<DirectorFrictionEffect>(); });
+  library.add("cosserat shell", [] { return std::make_unique<CosseratShellEffect>(); });
+  library.add("dead load", [] { return std::make_unique<DeadLoadEffect>(); });
+  library.add("point loads", [] { return std::make_unique<PointLoadsEffect>(); });
   return library;
 }
 
@@ -110,6 +115,15 @@ const DirectorLaw &SceneTargets::director_law() const
   if (!directors)
     throw UserError("The effects of directors other than 'director' need it besides them: add 'director' to Effects.");
   return *directors;
+}
+
+const ShellTargets &SceneTargets::shell_targets() const
+{
+  if (!shell)
+    throw UserError(
+        "The effects 'cosserat shell', 'dead load' and 'point loads' need a shell: they belong to scenes with "
+        "a section Shell.");
+  return *shell;
 }
 
 std::vector<Where> boundary_of_liquid(const SceneTargets &targets)

@@ -62,7 +62,7 @@ Outcome run(const bool staged, const std::vector<std::string> &overrides)
                                        "",
                                        droplet_effects(),
                                        {"liquid surface", "volume constraint", "wetting", "gravity", "line tension"},
-                                       [staged]() -> std::unique_ptr<SurfaceScene>
+                                       [staged](const std::vector<std::string> & /*effects*/) -> std::unique_ptr<SurfaceScene>
                                        {
                                          if (staged)
                                            return std::make_unique<StagedDrop>();

@@ -30,8 +30,8 @@ struct SurfaceApplication
   std::string description; ///< one or two sentences for --help
   EffectLibrary library;
   std::vector<std::string> default_effects;
-  /** An empty scene of the application's own kind. */
-  std::function<std::unique_ptr<SurfaceScene>()> empty_scene;
+  /** An empty scene of the application's own kind, which may depend on the listed effects. */
+  std::function<std::unique_ptr<SurfaceScene>(const std::vector<std::string> &effects)> empty_scene;
   /** Analyses of its own, beside "stability". */
   std::vector<WholeRunAnalysis> analyses = {};
 

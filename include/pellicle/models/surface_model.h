@@ -117,6 +117,8 @@ public:
   const SurfaceProblem &equilibrium() const { return *problem; }
   const SurfaceDiscretization &mesh() const { return discretization; }
   const Scales &scales() const { return unit; }
+  /** Where the origin of the internal coordinates is, in the user's units. */
+  Vector3<double> origin() const { return {centroid[0], centroid[1], centroid[2]}; }
 
 private:
   /** What the equations live on: its first nodes are those of mesh(). */

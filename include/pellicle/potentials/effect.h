@@ -7,6 +7,7 @@
 #include <pellicle/potentials/dissipation.h>
 #include <pellicle/potentials/potential.h>
 #include <pellicle/potentials/reference_metric.h>
+#include <pellicle/potentials/shell/shell_targets.h>
 #include <pellicle/potentials/wetting/droplet_targets.h>
 #include <pellicle/potentials/wetting/ridge_targets.h>
 
@@ -121,6 +122,10 @@ struct SceneTargets
   std::optional<RidgeTargets> substrate = std::nullopt;
   /** The same for effects that need one. Throws UserError if the scene has none. */
   const RidgeTargets &soft_substrate() const;
+  /** Of scenes with a shell. */
+  std::optional<ShellTargets> shell = std::nullopt;
+  /** The same for effects that need one. Throws UserError if the scene has none. */
+  const ShellTargets &shell_targets() const;
   /** Squared distance of neighbouring nodes on the start shape, at every quadrature point: a cell's area over k^2. Null
    * while a scene is only checked. */
   std::shared_ptr<const std::vector<double>> cell_sizes = nullptr;

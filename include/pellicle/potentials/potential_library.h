@@ -15,6 +15,6 @@ EffectLibrary standard_effects();
 EffectLibrary droplet_effects();
 /** Those of drops on soft substrates. */
 EffectLibrary ridge_effects();
-/** Those of membranes with directors: the standard ones, and those of the directors. */
+/** Those of membranes with directors and of Cosserat shells: the standard ones, and their own. */
 EffectLibrary director_effects();
 } // namespace pellicle
