@@ -11,6 +11,10 @@ namespace pellicle
 {
 namespace
 {
+// Eigenvalues of the second variation: energy over the square of the L2 norm of a displacement, or of a change of
+// directors.
+constexpr Dimension per_displacement{1, -4}, per_director{1, -2};
+
 SceneEntries entries_of(const CommandLine &command_line)
 {
   SceneEntries entries = read_scene_file(command_line.scene_file);
@@ -136,7 +140,8 @@ void describe(const SurfaceScene &scene, const SurfaceModel &model, RunResult &r
     result.stability                       = StabilityCounts{};
     result.stability->negative_eigenvalues = stability->negative_eigenvalues;
     for (const double eigenvalue : stability->lowest)
-      result.stability->lowest.push_back(eigenvalue * model.scales().of({1, -4}));
+      result.stability->lowest.push_back(eigenvalue *
+                                         model.scales().of(stability->field == 0 ? per_displacement : per_director));
   }
 }
 } // namespace pellicle

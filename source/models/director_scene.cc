@@ -2,12 +2,15 @@
 #include <pellicle/assembly/body_nodes.h>
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/assembly/nodal_chart.h>
+#include <pellicle/discretization/point_walk.h>
 #include <pellicle/models/director_defects.h>
 #include <pellicle/models/director_scene.h>
 #include <pellicle/models/director_start.h>
+#include <pellicle/models/relaxation_system.h>
 #include <pellicle/models/surface_model.h>
 #include <pellicle/potentials/director/director_effect.h>
 #include <pellicle/potentials/director/director_fields.h>
+#include <pellicle/potentials/dissipations/director_friction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +42,15 @@ void tilt_at_edge(const SurfaceDiscretization &surface, const double angle, Noda
         directors[3 * node + 1] = std::sin(angle) * y / r;
         directors[3 * node + 2] = std::cos(angle);
       }
+}
+/** Size of the cells at the inclusion: a fraction of the decay length of tilt, sqrt(K/k_t), or of the radius, whichever
+ * is smaller; halved by each refinement; or what equal cells have. */
+double smallest_cell(const InclusionParameters &inclusion, const DirectorParameters &law, const StartShape &ring)
+{
+  constexpr double fraction = 0.6; // on the coarsest mesh
+  const double decay = std::sqrt(law.bending_modulus / law.tilt_modulus), cells = 1u << ring.refinements;
+  const double equal = (inclusion.outer_radius - inclusion.radius) / (ring.radial_cells * cells);
+  return std::min(equal, fraction * std::min(decay, inclusion.radius) / cells);
 }
 } // namespace
 
@@ -84,6 +96,12 @@ void DirectorScene::add_own_sections(std::vector<ParameterSection> &all)
   add_section(all, "Director field", field);
 }
 
+void DirectorScene::add_further_sections(std::vector<ParameterSection> &all)
+{
+  VesicleScene::add_further_sections(all);
+  add_section(all, "Time", time);
+}
+
 void DirectorScene::check() const
 {
   if (find<DirectorEffect>() == nullptr)
@@ -92,11 +110,31 @@ void DirectorScene::check() const
   if (has_inclusion() && !(inclusion.outer_radius > inclusion.radius))
     throw UserError("Inclusion/Outer radius must be larger than Inclusion/Radius.");
   VesicleScene::check();
+  check_time();
+}
+
+void DirectorScene::check_time() const
+{
+  time.check();
+  const bool has_friction = find<DirectorFrictionEffect>() != nullptr;
+  if (motion() == nullptr && has_friction)
+    throw UserError("The list Effects has 'director friction', but Time/End time is 0: an equilibrium knows no "
+                    "friction. Give an end time, or drop the effect.");
+  if (motion() == nullptr)
+    return;
+  if (!has_friction)
+    throw UserError("Time/End time is positive, but the list Effects has no 'director friction': how fast directors "
+                    "turn is not defined. Add it.");
+  if (!load.parameter.empty() || !branch.parameter.empty() || !analyses.empty())
+    throw UserError("A scene that moves in time (Time/End time > 0) can have neither Load/Parameter nor "
+                    "Continuation/Parameter nor Analyses: these are for equilibria.");
+  if (time.integrator == "ida" && std::isinf(find<DirectorEffect>()->parameters.tilt_modulus))
+    refuse_index_2();
 }
 
 bool DirectorScene::is_fixed(const std::string &parameter) const
 {
-  for (const char *section : {"Surface/", "Inclusion/", "Director field/"})
+  for (const char *section : {"Surface/", "Inclusion/", "Director field/", "Time/"})
     if (parameter.rfind(section, 0) == 0)
       return true;
   return VesicleScene::is_fixed(parameter);
@@ -111,13 +149,11 @@ SurfaceDiscretization DirectorScene::bare_mesh() const
 {
   if (!has_inclusion())
     return VesicleScene::start_mesh();
-  StartShape ring   = start_shape();
-  ring.name         = "annulus";
-  ring.inner_radius = inclusion.radius;
-  ring.outer_radius = inclusion.outer_radius;
-  // Tilt decays over a few radii or less: cells at the inclusion are a fifth of equal ones.
-  constexpr double graded = 0.2;
-  ring.smallest_cell      = graded * (ring.outer_radius - ring.inner_radius) / (ring.radial_cells << ring.refinements);
+  StartShape ring            = start_shape();
+  ring.name                  = "annulus";
+  ring.inner_radius          = inclusion.radius;
+  ring.outer_radius          = inclusion.outer_radius;
+  ring.smallest_cell         = smallest_cell(inclusion, find<DirectorEffect>()->parameters, ring);
   SurfaceDiscretization mesh = make_start_shape(ring);
   mesh.edges[0].name         = inclusion_edge;
   mesh.edges[1].name         = outer_edge;
@@ -166,6 +202,19 @@ NodalConditions DirectorScene::conditions(const SurfaceDiscretization &surface, 
       if (loop.is_rim)
         hold_nodes(conditions, std::string(director), loop.cell_nodes, surface.n_nodes);
   return conditions;
+}
+
+void DirectorScene::add_references(const SurfaceDiscretization &start, SceneTargets &targets) const
+{
+  std::vector<DirectorPoint> points;
+  const NodalVectors &directors = start.start_values.at(std::string(director));
+  for_all_points(start.tables, start.cell_nodes, start.positions, 3,
+                 [&](const WalkPoint &x) {
+                   points.push_back({x[1], x[2], {}});
+                 });
+  std::size_t next = 0;
+  for_all_points(start.tables, start.cell_nodes, directors, 1, [&](const WalkPoint &O) { points[next++].O = O[0]; });
+  targets.director_start = std::make_shared<const std::vector<DirectorPoint>>(std::move(points));
 }
 
 SurfaceMeasures DirectorScene::measures(const Scales &scales) const

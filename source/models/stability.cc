@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pellicle/assembly/position_mass.h>
+#include <pellicle/assembly/field_mass.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/models/stability.h>
 #include <pellicle/solvers/eigenvalues.h>
@@ -15,7 +15,7 @@ void StabilityParameters::bind(ParameterSection &section)
   section.integer(
       "Eigenvalues", eigenvalues, 0, 100,
       "Number of lowest eigenvalues of the second variation to compute where Analyses lists stability, in "
-      "energy per length^4 (second variation of a displacement of unit L2 norm). Their modes are written to "
+      "energy per length^4 (second variation of a displacement of unit L2 norm; of directors on a held surface: energy per length^2). Their modes are written to "
       "the VTU files.");
   section.flag("Follow unstable mode", follow_unstable_mode,
                "Where an equilibrium has a negative eigenvalue: go downhill along its mode, to a stable one.");
@@ -36,8 +36,10 @@ std::optional<Stability> analyse_stability(SurfaceProblem &problem, LinearSolver
   if (n_eigenvalues == 0)
     return result;
 
-  constexpr double scale  = 1.; // of eigenvalues, internal units
-  const SparseMatrix mass = position_mass(problem.discretization(), problem.state().fields[0], problem.numbering());
+  constexpr double scale = 1.; // of eigenvalues, internal units
+  result.field           = problem.field_that_moves();
+  const SparseMatrix mass =
+      field_mass(problem.discretization(), problem.state().fields[0], problem.numbering(), result.field);
   Eigenpairs pairs;
   try
   {
@@ -51,7 +53,7 @@ std::optional<Stability> analyse_stability(SurfaceProblem &problem, LinearSolver
   result.lowest = pairs.values;
   for (const std::vector<double> &vector : pairs.vectors)
   {
-    NodalVectors mode  = problem.displacements(vector);
+    NodalVectors mode  = problem.displacements(vector, result.field);
     const auto largest = std::max_element(mode.begin(), mode.end(),
                                           [](const double a, const double b) { return std::abs(a) < std::abs(b); });
     if (*largest < 0.)

@@ -85,6 +85,7 @@ private:
 SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &communicator, Timing &timing)
     : newton(scene.newton)
     , unit(scene.scales())
+    , communicator(communicator)
     , timing(timing)
     , discretization(scene.start_mesh())
     , own_surroundings(scene.surroundings())
@@ -288,6 +289,18 @@ StepResult SurfaceModel::solve(const int step, Observer &observer)
   return search.result();
 }
 
+void SurfaceModel::start_motion(const TimeParameters &time)
+{
+  current_motion = make_motion(time, {newton, *problem, *solver, communicator, timing});
+  count_unknowns();
+}
+
+StepResult SurfaceModel::move(const double time, const int step, Observer &observer)
+{
+  InUsersUnits energies(observer, unit);
+  return current_motion->advance(time, step, energies);
+}
+
 void SurfaceModel::apply_active_sets()
 {
   NodalConditions conditions = own_conditions;
@@ -374,8 +387,7 @@ void SurfaceModel::look_at_stability(EquilibriumSearch &search)
     for (const double component : mode)
       largest = std::max(largest, std::abs(component));
     SurfaceState displaced = equilibrium;
-    for (std::size_t i = 0; i < mode.size(); ++i)
-      displaced.fields[0][i] += amplitude / largest * mode[i];
+    problem->displace(displaced, last_stability->field, amplitude / largest, mode);
     problem->set_state(displaced);
     if (!search.descend())
       return;

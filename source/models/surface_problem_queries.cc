@@ -114,8 +114,7 @@ double SurfaceProblem::displacement(const std::vector<double> &direction) const
   {
     if (!is_moving(f))
       continue;
-    NodalVectors move(3 * surface.n_nodes, 0.);
-    system->add_columns(direction, 1., f, move);
+    const NodalVectors move = displacements(direction, f);
     for (std::size_t I = 0; I < surface.n_nodes; ++I)
     {
       const double length = norm(vector_at(move, I));
@@ -149,11 +148,35 @@ std::vector<double> SurfaceProblem::direction_of(const NodalVectors &displacemen
   return direction;
 }
 
-NodalVectors SurfaceProblem::displacements(const std::vector<double> &direction) const
+NodalVectors SurfaceProblem::displacements(const std::vector<double> &direction, const std::size_t field) const
 {
   NodalVectors move(3 * surface.n_nodes, 0.);
-  system->add_columns(direction, 1., 0, move);
+  system->add_columns(direction, 1., field, move);
   return move;
+}
+
+std::size_t SurfaceProblem::field_that_moves() const
+{
+  for (std::size_t f = 0; f < field_layout.fields().size(); ++f)
+    if (is_moving(f) && system->numbering().n_unknowns_of(f) > 0)
+      return f;
+  return 0;
+}
+
+void SurfaceProblem::displace(SurfaceState &state, const std::size_t field, const double factor,
+                              const NodalVectors &changes) const
+{
+  NodalVectors &values = state.fields[field];
+  for (std::size_t i = 0; i < changes.size(); ++i)
+    values[i] += factor * changes[i];
+  if (field_layout.fields()[field].space != FieldSpace::unit_vectors)
+    return;
+  for (std::size_t I = 0; I < surface.n_nodes; ++I)
+  {
+    const double length = norm(vector_at(values, I));
+    for (unsigned int c = 0; c < 3; ++c)
+      values[3 * I + c] /= length;
+  }
 }
 
 double SurfaceProblem::energy() const

@@ -186,7 +186,7 @@ TEST(DirectorEnergies, MixedTiltIsTheEnergyOfTilt)
   for (const double k_0 : {0.1, 1.1})
   {
     const double k_t = 2.3;
-    const Mixed mixed(k_t, k_0, O, (k_t - k_0) * tilt);
+    const Mixed mixed(k_t, k_0, O, k_t * tilt);
     EXPECT_NEAR(mixed.sums.value[0], p.jacobian * 0.5 * k_t * dot(tilt, tilt), 1e-14);
     for (unsigned int c = 0; c < 3; ++c)
       EXPECT_NEAR(mixed.sums.gradient[12 + c], 0., 1e-14);
@@ -198,6 +198,7 @@ TEST(DirectorEnergies, MixedTiltIsTheEnergyOfTilt)
   for (unsigned int c = 0; c < 3; ++c)
     EXPECT_NEAR(normal.sums.gradient[12 + c], 0., 1e-15);
   // ... and q has no normal part.
-  EXPECT_NEAR(Mixed(infinity, 0.7, p.normal, 0.3 * p.normal).sums.value[0], -p.jacobian * 0.09 / (2. * 0.7), 1e-15);
+  EXPECT_NEAR(Mixed(infinity, 0.7, p.normal, 0.3 * p.normal).sums.value[0],
+              -p.jacobian * 0.09 * MixedTiltEnergy::normal_weight / (2. * 0.7), 1e-15);
 }
 } // namespace

@@ -22,7 +22,8 @@ struct StabilityParameters
 
 /**
  * Second variation of the energy at an equilibrium, on the variations that constraints and edges allow: normal
- * displacements (tangential ones are a gauge), or all displacements where potentials act tangentially. Internal units.
+ * displacements (tangential ones are a gauge), or all displacements where potentials act tangentially. On a surface
+ * that is held directors take the place of displacements. Internal units.
  *
  * mu and u solve K u = mu M u with M the L2 mass of the displacement: the second variation of the energy along a mode
  * of unit L2 norm is mu.
@@ -32,6 +33,7 @@ struct Stability
   int negative_eigenvalues = 0;
   std::vector<double> lowest;      ///< ascending
   std::vector<NodalVectors> modes; ///< nodal displacements that belong to `lowest`, largest component positive
+  std::size_t field = 0;           ///< whose changes the modes are
   std::string failure;             ///< why there are no eigenvalues, if they were asked for and not found
 };
 

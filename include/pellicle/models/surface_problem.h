@@ -135,8 +135,12 @@ public:
   double displacement(const std::vector<double> &direction) const override;
   /** The direction that comes nearest to nodal displacements; its entries for other fields are zero. */
   std::vector<double> direction_of(const NodalVectors &displacements) const;
-  /** Nodal displacements along a direction. */
-  NodalVectors displacements(const std::vector<double> &direction) const;
+  /** Changes of a field's nodal values along a direction; displacements, of the position. */
+  NodalVectors displacements(const std::vector<double> &direction, std::size_t field = 0) const;
+  /** The field of which instability is a matter: the position or, on a surface that is held, the directors. */
+  std::size_t field_that_moves() const;
+  /** Adds changes to a field's nodal values; unit vectors keep their length. */
+  void displace(SurfaceState &state, std::size_t field, double factor, const NodalVectors &changes) const;
   double energy() const override;
 
 private:

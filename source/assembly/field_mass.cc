@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pellicle/assembly/position_mass.h>
+#include <pellicle/assembly/field_mass.h>
 #include <pellicle/discretization/point_walk.h>
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace pellicle
 {
-SparseMatrix position_mass(const SurfaceDiscretization &discretization, const NodalVectors &positions,
-                           const Numbering &numbering)
+SparseMatrix field_mass(const SurfaceDiscretization &discretization, const NodalVectors &positions,
+                        const Numbering &numbering, const std::size_t field)
 {
   const ShapeTables &tables = discretization.tables;
   const unsigned int n      = tables.n_nodes;
@@ -29,15 +29,15 @@ SparseMatrix position_mass(const SurfaceDiscretization &discretization, const No
     }
     for (unsigned int I = 0; I < n; ++I)
       for (unsigned int J = 0; J < n; ++J)
-        for (unsigned int a = 0; a < numbering.count(0, nodes[I]); ++a)
-          for (unsigned int b = 0; b < numbering.count(0, nodes[J]); ++b)
+        for (unsigned int a = 0; a < numbering.count(field, nodes[I]); ++a)
+          for (unsigned int b = 0; b < numbering.count(field, nodes[J]); ++b)
           {
-            const int row    = static_cast<int>(numbering.first_of(0, nodes[I]) + a),
-                      column = static_cast<int>(numbering.first_of(0, nodes[J]) + b);
+            const int row    = static_cast<int>(numbering.first_of(field, nodes[I]) + a),
+                      column = static_cast<int>(numbering.first_of(field, nodes[J]) + b);
             if (column > row)
               continue;
-            const auto &Z_I = numbering.charts[0].nodes[nodes[I]].columns,
-                       &Z_J = numbering.charts[0].nodes[nodes[J]].columns;
+            const auto &Z_I = numbering.charts[field].nodes[nodes[I]].columns,
+                       &Z_J = numbering.charts[field].nodes[nodes[J]].columns;
             double product  = 0.;
             for (unsigned int c = 0; c < 3; ++c)
               product += Z_I[3 * a + c] * Z_J[3 * b + c];
