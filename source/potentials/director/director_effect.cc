@@ -47,9 +47,9 @@ struct MixedTiltDerivative
 
 void DirectorParameters::bind(ParameterSection &section)
 {
-  section.number("Tilt modulus", tilt_modulus, Range::positive().or_infinite(), dimensions::tension,
+  section.number("Tilt modulus", tilt_modulus, Range::non_negative().or_infinite(), dimensions::tension,
                  "Tilt modulus k_t in (k_t/2) |O - (O.n) n|^2 per area. inf: the directors stay normal, and the model "
-                 "is that of Helfrich with bending rigidity K.");
+                 "is that of Helfrich with bending rigidity K. 0: no energy of tilt.");
   section.number("Bending modulus", bending_modulus, Range::positive(), dimensions::energy,
                  "Bending modulus K = k_1 + eps_1 in (K/2) |grad O|^2 per area.");
   section.number(
@@ -96,10 +96,11 @@ void DirectorEffect::prepare(const Scales &scales, SceneTargets &targets) const
 void DirectorEffect::contribute(const Scales & /*scales*/, const SceneTargets &targets, PotentialSet &set) const
 {
   const DirectorLaw &law = targets.director_law();
-  if (parameters.shear == "mixed")
+  const bool is_held     = law.tilt_modulus > 0.;
+  if (is_held && parameters.shear == "mixed")
     set.energies.push_back(std::make_shared<DensityPotential<MixedTiltEnergy>>(
         tilt_energy, MixedTiltEnergy{law.tilt_modulus, direct_tilt_modulus(law, targets)}));
-  else
+  else if (is_held)
     set.energies.push_back(std::make_shared<DensityPotential<TiltEnergy>>(tilt_energy, TiltEnergy{law.tilt_modulus}));
   set.energies.push_back(std::make_shared<DensityPotential<DirectorGradientEnergy>>(
       gradient_energy, DirectorGradientEnergy{law.bending_modulus}));
@@ -107,7 +108,7 @@ void DirectorEffect::contribute(const Scales & /*scales*/, const SceneTargets &t
 
 std::vector<ParameterDerivative> DirectorEffect::derivatives(const Scales &scales, const SceneTargets &targets) const
 {
-  if (std::isinf(parameters.tilt_modulus))
+  if (std::isinf(parameters.tilt_modulus) || parameters.tilt_modulus == 0.)
     return {};
   const double per_unit = 1. / scales.of(dimensions::tension);
   std::shared_ptr<const Potential> energy;

@@ -17,7 +17,7 @@ struct DirectorParameters
 
 /**
  * The effect "director": the energies "tilt" (k_t/2) |O_tan|^2 and "director gradient" (K/2) |grad O|^2
- * of (23) of Hu, Zhang & E 2007. The null Lagrangian is not among them; see null_lagrangian().
+ * of (23) of Hu, Zhang & E 2007, the former unless k_t = 0. The null Lagrangian is not among them; see null_lagrangian().
  */
 class DirectorEffect : public Effect
 {
@@ -28,7 +28,7 @@ public:
   void check() const override;
   std::optional<double> typical_energy(double length) const override;
   void prepare(const Scales &scales, SceneTargets &targets) const override;
-  /** By Director/Tilt modulus, unless it is infinite. */
+  /** By Director/Tilt modulus, unless it is 0 or infinite. */
   std::vector<ParameterDerivative> derivatives(const Scales &scales, const SceneTargets &targets) const override;
   void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
 
