@@ -100,6 +100,12 @@ void DirectorScene::check_time() const
     refuse_index_2();
 }
 
+void DirectorScene::set_targets(const Scales &scales, SceneTargets &targets) const
+{
+  VesicleScene::set_targets(scales, targets);
+  targets.surface_is_held = is_held();
+}
+
 bool DirectorScene::is_fixed(const std::string &parameter) const
 {
   for (const char *section : {"Surface/", "Inclusion/", "Director field/", "Time/"})

@@ -52,6 +52,7 @@ protected:
   void add_own_sections(std::vector<ParameterSection> &all) override;
   void add_further_sections(std::vector<ParameterSection> &all) override;
   double own_length() const override;
+  void set_targets(const Scales &scales, SceneTargets &targets) const override;
   bool is_fixed(const std::string &parameter) const override;
 
 private:
