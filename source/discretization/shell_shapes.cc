@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/constants.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/edge_loops.h>
 #include <pellicle/discretization/refined_quads.h>
 #include <pellicle/discretization/shell_shapes.h>
 
@@ -51,6 +52,11 @@ PatchMap map_of(const ShellShape &shape)
   return [=](const unsigned int patch, const double u, const double v) { return R * on_eighth(patch, u, v); };
 }
 
+double mirror_images(const std::string &shape)
+{
+  return shape == "plate" ? 1. : shape == "roof" || shape == "hemisphere" ? 4. : 8.;
+}
+
 ShapeTables point_tables(const double weight)
 {
   ShapeTables tables;
@@ -71,11 +77,6 @@ const std::vector<std::string> &shell_shape_names()
 {
   static const std::vector<std::string> names{"plate", "cylinder", "roof", "hemisphere", "sphere"};
   return names;
-}
-
-double shell_copies(const ShellShape &shape)
-{
-  return shape.name == "plate" ? 1. : shape.name == "roof" || shape.name == "hemisphere" ? 4. : 8.;
 }
 
 Vector shell_normal(const ShellShape &shape, const Vector &place)
@@ -101,8 +102,10 @@ SurfaceDiscretization shell_mesh(const ShellShape &shape)
   const std::vector<Vector> corners = corner_points(quads, is_sphere ? 7 : 4, map);
   const RefinedQuads mesh           = refine_quads(corners, quads, shape.refinements + 1, shape.degree);
   SurfaceDiscretization result      = place_nodes(mesh, quads, shape.degree, map);
-  for (double &weight : result.tables.weights)
-    weight *= shell_copies(shape);
+  result.edges                      = find_rims(result, [](const Vector &) { return std::string("boundary"); });
+  for (ShapeTables *const tables : {&result.tables, &result.edges.front().tables})
+    for (double &weight : tables->weights)
+      weight *= mirror_images(shape.name);
   result.rigid_motions.clear();
   return result;
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/body_nodes.h>
 #include <pellicle/discretization/point_walk.h>
+#include <pellicle/models/director_defects.h>
 #include <pellicle/models/director_scene.h>
 #include <pellicle/models/director_start.h>
+#include <pellicle/models/relaxation_system.h>
 #include <pellicle/models/surface_model.h>
 #include <pellicle/potentials/director/director_effect.h>
 #include <pellicle/potentials/director/director_fields.h>
+#include <pellicle/potentials/dissipations/director_friction.h>
 
 #include <cmath>
 #include <numeric>
@@ -59,6 +62,12 @@ void DirectorScene::add_own_sections(std::vector<ParameterSection> &all)
   add_section(all, "Director field", field);
 }
 
+void DirectorScene::add_further_sections(std::vector<ParameterSection> &all)
+{
+  VesicleScene::add_further_sections(all);
+  add_section(all, "Time", time);
+}
+
 void DirectorScene::check() const
 {
   if (find<DirectorEffect>() == nullptr)
@@ -69,11 +78,37 @@ void DirectorScene::check() const
     throw UserError("Director/Tilt modulus = inf: directors that stay normal cannot be tilted at an inclusion. Take a "
                     "finite modulus, or Surface/Shape = vesicle.");
   VesicleScene::check();
+  check_time();
+}
+
+void DirectorScene::check_time() const
+{
+  time.check();
+  const bool has_friction = find<DirectorFrictionEffect>() != nullptr;
+  if (motion() == nullptr && has_friction)
+    throw UserError("The list Effects has 'director friction', but Time/End time is 0: an equilibrium knows no "
+                    "friction. Give an end time, or drop the effect.");
+  if (motion() == nullptr)
+    return;
+  if (!has_friction)
+    throw UserError("Time/End time is positive, but the list Effects has no 'director friction': how fast directors "
+                    "turn is not defined. Add it.");
+  if (!load.parameter.empty() || !branch.parameter.empty() || !analyses.empty())
+    throw UserError("A scene that moves in time (Time/End time > 0) can have neither Load/Parameter nor "
+                    "Continuation/Parameter nor Analyses: these are for equilibria.");
+  if (time.integrator == "ida" && std::isinf(find<DirectorEffect>()->parameters.tilt_modulus))
+    refuse_index_2();
+}
+
+void DirectorScene::set_targets(const Scales &scales, SceneTargets &targets) const
+{
+  VesicleScene::set_targets(scales, targets);
+  targets.surface_is_held = is_held();
 }
 
 bool DirectorScene::is_fixed(const std::string &parameter) const
 {
-  for (const char *section : {"Surface/", "Inclusion/", "Director field/"})
+  for (const char *section : {"Surface/", "Inclusion/", "Director field/", "Time/"})
     if (parameter.rfind(section, 0) == 0)
       return true;
   return VesicleScene::is_fixed(parameter);
@@ -154,6 +189,13 @@ SurfaceMeasures DirectorScene::measures(const Scales &scales) const
     PotentialSet null;
     null.energies.push_back(null_lagrangian(model.scene_targets().director_law()));
     list.push_back({"null_lagrangian_energy", model.equilibrium().value_of(null), dimensions::energy});
+    if (const auto defects = director_defects(model))
+    {
+      list.push_back({"defects", static_cast<double>(defects->size()), dimensions::none});
+      const double charge = std::accumulate(defects->begin(), defects->end(), 0.,
+                                            [](const double sum, const Defect &d) { return sum + d.charge; });
+      list.push_back({"defect_charge", charge, dimensions::none});
+    }
     return list;
   };
 }

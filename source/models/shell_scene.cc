@@ -86,9 +86,6 @@ void ShellScene::check() const
   if (has_effect("pressure") && shell.shape != "sphere")
     throw UserError("The effect 'pressure' needs a volume, which Shell/Shape = " + shell.shape +
                     " does not enclose. Take the sphere, or a dead load.");
-  if (has_effect("point loads") && shell_load_points(shape(1.)).empty())
-    throw UserError("Shell/Shape = " + shell.shape +
-                    " has no load points. Take a pressure or a dead load, or another shape.");
   if (shell.load_shape != "1" && !has_effect("dead load"))
     throw UserError("Shell/Load shape = " + shell.load_shape +
                     " has no effect in this scene: add 'dead load' to Effects, or set it to 1.");
@@ -167,8 +164,7 @@ SurfaceMeasures ShellScene::measures(const Scales &scales) const
       list.push_back({quantity_at(point), along, dimensions::length});
       largest = std::max(largest, std::abs(along));
     }
-    if (!points.empty())
-      list.push_back({"load_point_displacement", largest, dimensions::length});
+    list.push_back({"load_point_displacement", largest, dimensions::length});
     return list;
   };
 }

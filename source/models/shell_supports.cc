@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/edge_frames.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/bodies.h>
 #include <pellicle/models/shell_supports.h>
@@ -26,14 +27,17 @@ public:
     director.admissible.resize(surface.n_nodes);
   }
 
-  /** Of the nodes on the plane x_c = value: directions that displacement and director may not have. */
-  void on_plane(const unsigned int c, const double value, const std::vector<Vector> &of_position,
-                const std::vector<Vector> &of_director)
+  /** The nodes on the plane x_c = value. */
+  std::vector<std::size_t> on_plane(const unsigned int c, const double value) const
   {
+    std::vector<std::size_t> nodes;
     for (std::size_t I = 0; I < surface.n_nodes; ++I)
       if (std::abs(surface.positions[3 * I + c] - value) < tolerance)
-        at_node(I, of_position, of_director);
+        nodes.push_back(I);
+    return nodes;
   }
+
+  /** Takes directions from displacement and director of a node. */
 
   void at_node(const std::size_t node, const std::vector<Vector> &of_position, const std::vector<Vector> &of_director)
   {
@@ -48,7 +52,8 @@ public:
   {
     Vector normal;
     normal[c] = 1.;
-    on_plane(c, 0., {normal}, {normal});
+    for (const std::size_t node : on_plane(c, 0.))
+      at_node(node, {normal}, {normal});
   }
 
   NodalConditions conditions() const
@@ -81,15 +86,18 @@ NodalConditions shell_supports(const ShellShape &shape, const SurfaceDiscretizat
   if (shape.name == "plate")
   {
     for (const double edge : {0., shape.length})
-      supports.on_plane(0, edge, {y, z}, {y});
+      for (const std::size_t node : supports.on_plane(0, edge))
+        supports.at_node(node, {y, z}, {y});
     for (const double edge : {0., shape.width})
-      supports.on_plane(1, edge, {x, z}, {x});
+      for (const std::size_t node : supports.on_plane(1, edge))
+        supports.at_node(node, {x, z}, {x});
     return supports.conditions();
   }
   supports.symmetric_about(0);
   supports.symmetric_about(1);
   if (shape.name == "roof")
-    supports.on_plane(1, 0.5 * shape.length, {x, z}, {x, z});
+    for (const std::size_t node : supports.on_plane(1, 0.5 * shape.length))
+      supports.at_node(node, {x, z}, {cross(y, shell_normal(shape, vector_at(surface.positions, node)))});
   else if (shape.name == "hemisphere")
     supports.at_node(nearest_node(surface, {shape.radius, 0., 0.}), {z}, {});
   else
@@ -109,7 +117,8 @@ std::vector<LoadPoint> shell_load_points(const ShellShape &shape)
     return {{a, {0., 0., -1.}, {R * std::sin(shape.angle), 0., R * std::cos(shape.angle)}}};
   if (shape.name == "hemisphere")
     return {{a, {1., 0., 0.}, {R, 0., 0.}}, {b, {0., -1., 0.}, {0., R, 0.}}};
-  return {};
+  PELLICLE_ASSERT(shape.name == "sphere", "a shell of unknown shape");
+  return {{a, {1., 0., 0.}, {R, 0., 0.}}};
 }
 
 double shell_load_copies(const ShellShape &shape)

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -56,6 +57,14 @@ NodalVectors tilt(NodalVectors directors, const NodalVectors &normals)
       directors[3 * I + c] -= along * n[c];
   }
   return directors;
+}
+
+/** Whether the mesh is a part of the surface between mirror planes: its weights count the images, too. */
+bool is_part(const SurfaceDiscretization &discretization)
+{
+  const std::vector<double> &weights = discretization.tables.weights;
+  return discretization.kind == SurfaceDiscretization::Kind::surface &&
+         std::accumulate(weights.begin(), weights.end(), 0.) > 1.5; // the unit cell has area 1
 }
 
 /** Adds to the quantity of that name, or appends it. */
@@ -159,8 +168,8 @@ std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
   std::vector<std::pair<std::string, double>> list;
   const auto report = [&](const std::string &name, const double value, const Dimension dimension)
   { list.emplace_back(name, value * unit.of(dimension)); };
-  // Sheets that meet at a junction are no single shape.
-  const bool is_one_shape   = !discretization.has_junctions();
+  // Sheets that meet at a junction are no single shape, nor is a part between mirror planes.
+  const bool is_one_shape   = !discretization.has_junctions() && !is_part(discretization);
   const ShapeMeasures shape = is_one_shape ? measure_shape(discretization, positions()) : ShapeMeasures();
   const bool is_closed      = is_one_shape && discretization.is_closed();
   if (is_one_shape)
@@ -180,6 +189,11 @@ std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
     total += energy.value;
   }
   report("total_energy", total, dimensions::energy);
+  if (current_motion)
+  {
+    report("dissipation", current_motion->dissipation(), dimensions::power);
+    report("energy_balance_error", current_motion->balance().relative_error(), dimensions::none);
+  }
   for (const NamedQuantity &force : forces())
     report(force.name, force.value, force.dimension);
   // Measures that nothing else reports: length of a tether, area of a domain.

@@ -31,15 +31,12 @@ struct ShellShape
 /** Names of the shapes. */
 const std::vector<std::string> &shell_shape_names();
 
-/** How many copies of the mesh the whole shell is made of. */
-double shell_copies(const ShellShape &shape);
-
 /** Outward unit normal at a point of the undeformed shell. */
 Vector3<double> shell_normal(const ShellShape &shape, const Vector3<double> &place);
 
 /**
- * 4 * 4^r cells (sphere: 12 * 4^r). Weights of the tables are those of the whole shell: integrals over the mesh are
- * integrals over all copies.
+ * 4 * 4^r cells (sphere: 12 * 4^r), with one loop around them all, "boundary", planes of symmetry included. Weights of
+ * the tables are those of the whole shell: integrals over the mesh are integrals over all its mirror images.
  */
 SurfaceDiscretization shell_mesh(const ShellShape &shape);
 

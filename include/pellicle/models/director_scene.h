@@ -37,6 +37,7 @@ public:
   CarrierParameters carrier;
   InclusionParameters inclusion;
   DirectorFieldParameters field;
+  TimeParameters time;
 
   void check() const override;
   SurfaceDiscretization start_mesh() const override;
@@ -45,15 +46,19 @@ public:
   NodalConditions conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const override;
   SurfaceMeasures measures(const Scales &scales) const override;
   void add_references(const SurfaceDiscretization &start, SceneTargets &targets) const override;
+  const TimeParameters *motion() const override { return time.end_time > 0. ? &time : nullptr; }
 
 protected:
   void add_own_sections(std::vector<ParameterSection> &all) override;
+  void add_further_sections(std::vector<ParameterSection> &all) override;
   double own_length() const override;
+  void set_targets(const Scales &scales, SceneTargets &targets) const override;
   bool is_fixed(const std::string &parameter) const override;
 
 private:
   bool has_inclusion() const { return has_inclusions(carrier.shape); }
   bool is_held() const { return carrier.motion == "held"; }
+  void check_time() const;
   InclusionMembrane around_inclusions() const;
 };
 } // namespace pellicle

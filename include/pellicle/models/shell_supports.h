@@ -24,7 +24,7 @@ NodalConditions shell_supports(const ShellShape &shape, const SurfaceDiscretizat
  * Points at which a shell may be loaded, in the units of the shape, in the order of their names "load point a", "load
  * point b": the middle of a plate, down; two opposite points of a cylinder, half-way between its ends, outwards; the
  * middles of the straight edges of a roof, down; on the equator of a hemisphere two points outwards (a) and, between
- * them, two points inwards (b). A sphere has none.
+ * them, two points inwards (b); two opposite points of a sphere, outwards.
  */
 std::vector<LoadPoint> shell_load_points(const ShellShape &shape);
 
