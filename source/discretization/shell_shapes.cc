@@ -103,7 +103,6 @@ SurfaceDiscretization shell_mesh(const ShellShape &shape)
   const RefinedQuads mesh           = refine_quads(corners, quads, shape.refinements + 1, shape.degree);
   SurfaceDiscretization result      = place_nodes(mesh, quads, shape.degree, map);
   result.edges                      = find_rims(result, [](const Vector &) { return std::string("boundary"); });
-  result.mirror_images              = mirror_images(shape.name);
   for (ShapeTables *const tables : {&result.tables, &result.edges.front().tables})
     for (double &weight : tables->weights)
       weight *= mirror_images(shape.name);

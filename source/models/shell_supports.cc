@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/edge_frames.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/bodies.h>
 #include <pellicle/models/shell_supports.h>
