@@ -5,10 +5,12 @@
     xvfb-run -a /usr/bin/python3 render_surface.py solution_0004.vtu picture.png [--field FIELD] [--title TEXT]
         [--beside substrate.vtu]
 
-The field is mean_curvature_outward unless said otherwise. Left: the surface in three-quarter view, from the side that
-shows the deeper dimple. Right: its section by the x-z plane through the centre, in the same colours. Below: the colour
-bar. What is in the file beside is drawn in grey: bodies that the surface touches. Needs the Debian packages python3-vtk9, xvfb and xauth; nothing else. Exit status: 0 picture written; 1 the file
-cannot be drawn; 3 VTK is not installed. The last line printed says why.
+The field is mean_curvature_outward unless said otherwise, or the length of the field tilt where a surface with directors
+is a plane or a sphere. Left: the surface in three-quarter view, from the side that shows the deeper dimple. Right: its
+section by the x-z plane through the centre, in the same colours. The field director is drawn as needles. Below: the
+colour bar. What is in the file beside is drawn in grey: bodies that the surface touches. Needs the Debian packages
+python3-vtk9, xvfb and xauth; nothing else. Exit status: 0 picture written; 1 the file cannot be drawn; 3 VTK is not
+installed. The last line printed says why.
 """
 import argparse
 import math
@@ -21,7 +23,7 @@ try:
     from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkOutputWindow
     from vtkmodules.vtkCommonDataModel import vtkPlane
     from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
-    from vtkmodules.vtkFiltersCore import (vtkCutter, vtkPointDataToCellData, vtkPolyDataNormals,
+    from vtkmodules.vtkFiltersCore import (vtkArrayCalculator, vtkCutter, vtkMassProperties, vtkPointDataToCellData, vtkPolyDataNormals,
                                            vtkStaticCleanPolyData, vtkStripper, vtkTriangleFilter, vtkTubeFilter)
     from vtkmodules.vtkFiltersGeneral import vtkContourTriangulator
     from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
@@ -35,12 +37,17 @@ except ImportError as error:
     print(f"VTK for Python is missing ({error}; on Debian: apt-get install python3-vtk9).", file=sys.stderr)
     sys.exit(3)
 
+from needles import needle_actor, needles
+
 WIDTH, HEIGHT = 1400, 1050
 MAIN_VIEW = (0.0, 0.16, 0.68, 0.92)  # left, bottom, right, top as parts of the picture
 SECTION_VIEW = (0.68, 0.30, 1.0, 0.84)
 INK = (0.13, 0.14, 0.17)
 STONE = (0.55, 0.56, 0.58)
-TITLES = {"mean_curvature_outward": "Mean curvature (positive on a sphere)", "gauss_curvature": "Gauss curvature"}
+TITLES = {"mean_curvature_outward": "Mean curvature (positive on a sphere)", "gauss_curvature": "Gauss curvature",
+          "tilt_length": "Tilt, the length of the directors' tangential part"}
+CONSTANT = 0.1  # part of the largest value by which a field that counts as constant may vary
+NEEDLES = 28  # along the side of a square of the surface's area
 
 
 class CannotDraw(Exception):
@@ -48,7 +55,8 @@ class CannotDraw(Exception):
 
 
 def read_surface(path, field):
-    """The triangles that stand for the surface in the picture, with the field as active scalar."""
+    """The triangles that stand for the surface in the picture, and the scalar field for their colours: the one that is
+    asked for, or one that suits the surface."""
     if not os.path.isfile(path):
         raise CannotDraw(f"{path} does not exist.")
     vtkOutputWindow.SetGlobalWarningDisplay(0)  # VTK's own complaints about a broken file say less than ours
@@ -58,11 +66,11 @@ def read_surface(path, field):
     grid = reader.GetOutput()
     if reader.GetErrorCode() != 0 or grid.GetNumberOfCells() == 0:
         raise CannotDraw(f"{path} holds no surface.")
-    array = grid.GetPointData().GetArray(field)
+    wanted = field or "mean_curvature_outward"
+    array = grid.GetPointData().GetArray(wanted)
     if array is None or array.GetNumberOfComponents() != 1:
         names = [grid.GetPointData().GetArrayName(i) for i in range(grid.GetPointData().GetNumberOfArrays())]
-        raise CannotDraw(f"{path} has no scalar field '{field}' (it has {', '.join(map(str, names))}).")
-    grid.GetPointData().SetActiveScalars(field)
+        raise CannotDraw(f"{path} has no scalar field '{wanted}' (it has {', '.join(map(str, names))}).")
 
     # Each step of the subdivision quadruples the triangles; a few hundred thousand show no facets at this size.
     nodes_per_cell = grid.GetNumberOfPoints() / grid.GetNumberOfCells()
@@ -84,12 +92,31 @@ def read_surface(path, field):
     normals.SetInputConnection(joined.GetOutputPort())
     normals.SplittingOff()
     normals.ConsistencyOff()
-    normals.Update()
-    return normals.GetOutput()
+    lengths = vtkArrayCalculator()
+    lengths.SetInputConnection(normals.GetOutputPort())
+    lengths.AddVectorArrayName("tilt")
+    lengths.SetFunction("mag(tilt)")
+    lengths.SetResultArrayName("tilt_length")
+    last = normals if grid.GetPointData().GetArray("tilt") is None else lengths
+    last.Update()
+    surface = last.GetOutput()
+    field = field or chosen_field(surface)
+    surface.GetPointData().SetActiveScalars(field)
+    return surface, field
 
 
-def colour_range(surface, field):
-    """The 1st and 99th percentile by area: single nodes that stick out do not bleach the rest."""
+def chosen_field(surface):
+    """What tells most about a surface: of directors on a plane or a sphere the tilt, else curvature."""
+    curvature = "mean_curvature_outward"
+    if surface.GetPointData().GetArray("tilt_length") is None:
+        return curvature
+    low, high = percentiles(surface, curvature)
+    size = max(box_of(surface)[1])
+    return "tilt_length" if high - low < CONSTANT * max(abs(low), abs(high), 0.1 / size) else curvature
+
+
+def percentiles(surface, field):
+    """The 1st and 99th percentile by area."""
     sizes = vtkCellSizeFilter()
     sizes.SetInputData(surface)
     sizes.ComputeLengthOff()
@@ -110,8 +137,16 @@ def colour_range(surface, field):
         if below <= 0.99 * total:
             high = value
         below += area
+    return low, high
+
+
+def colour_range(surface, field):
+    """Percentiles: single nodes that stick out do not bleach the rest."""
+    low, high = percentiles(surface, field)
+    if field == "tilt_length":
+        return 0, max(high, 0.01)
     # A constant field stays one colour instead of showing its round-off.
-    least = 0.1 * max(abs(low), abs(high)) or 1.0
+    least = CONSTANT * max(abs(low), abs(high)) or 1.0
     if high - low < least:
         low, high = (low + high - least) / 2, (low + high + least) / 2
     return low, high
@@ -202,6 +237,13 @@ def grey_actor(algorithm, opacity):
     return actor
 
 
+def needle_distance(surface):
+    mass = vtkMassProperties()
+    mass.SetInputData(surface)
+    mass.Update()
+    return math.sqrt(mass.GetSurfaceArea()) / NEEDLES
+
+
 def main_view(surface, colours, beside):
     """The shaded surface."""
     centre, size = box_of(surface)
@@ -218,6 +260,11 @@ def main_view(surface, colours, beside):
     look.SetSpecular(0.22)
     look.SetSpecularPower(28)
     renderer.AddActor(actor)
+    drawn = [surface] if beside is None else [surface, beside]
+    directors = needles(surface, needle_distance(surface))
+    if directors is not None:
+        renderer.AddActor(needle_actor(directors))
+        drawn.append(directors)
     if beside is not None:
         bodies = vtkTrivialProducer()
         bodies.SetOutput(beside)
@@ -236,7 +283,7 @@ def main_view(surface, colours, beside):
     camera.SetViewUp(0, 0, 1)
     camera.SetViewAngle(22)
     renderer.ResetCamera()
-    fill_view(renderer, [surface] if beside is None else [surface, beside])
+    fill_view(renderer, drawn)
 
     renderer.AutomaticLightCreationOff()
     key, fill = ((-0.9, 1.3, 1.4), 0.78, (1.0, 0.985, 0.96)), ((1.6, 0.2, 1.0), 0.30, (0.93, 0.96, 1.0))
@@ -465,14 +512,14 @@ def main():
     parser = argparse.ArgumentParser(description="Draws a surface from a high-order VTU file into a PNG file.")
     parser.add_argument("vtu")
     parser.add_argument("png")
-    parser.add_argument("--field", default="mean_curvature_outward", help="scalar point field that gives the colours")
+    parser.add_argument("--field", default="", help="scalar point field that gives the colours")
     parser.add_argument("--title", default="")
     parser.add_argument("--beside", default="", help="VTU file of bodies to be drawn in grey")
     arguments = parser.parse_args()
     try:
         beside = facets_of(arguments.beside) if arguments.beside else None
-        surface = read_surface(arguments.vtu, arguments.field)
-        write_picture(draw(surface, arguments.field, arguments.title, beside), arguments.png)
+        surface, field = read_surface(arguments.vtu, arguments.field)
+        write_picture(draw(surface, field, arguments.title, beside), arguments.png)
     except CannotDraw as error:
         print(error, file=sys.stderr)
         sys.exit(1)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "run_output.h"
 
+#include <pellicle/models/director_defects.h>
 #include <pellicle/output/atomic_file.h>
 #include <pellicle/output/picture.h>
 #include <pellicle/output/summary.h>
@@ -37,10 +38,29 @@ void RunOutput::write_scene(const std::string &text) const
 
 void RunOutput::write_solution(const SurfaceModel &model, const int step, const double time)
 {
-  if (!writes || !parameters.solution)
+  if (!writes)
     return;
   const Timing::Scope scope(timing, "output");
-  last_solution = solutions->write(model.sample(), step, time, model.body_samples());
+  write_defects(model, step);
+  if (parameters.solution)
+    last_solution = solutions->write(model.sample(), step, time, model.body_samples());
+}
+
+void RunOutput::write_defects(const SurfaceModel &model, const int step)
+{
+  const auto defects = director_defects(model);
+  if (!defects)
+    return;
+  for (const Defect &defect : *defects)
+  {
+    const Vector3<double> x = model.origin() + model.scales().length * defect.position;
+    files->on_row({"defects",
+                   {{"step", std::to_string(step)},
+                    {"x", number_text(x[0])},
+                    {"y", number_text(x[1])},
+                    {"z", number_text(x[2])},
+                    {"charge", std::to_string(defect.charge)}}});
+  }
 }
 
 void RunOutput::finish(const SurfaceModel &model, RunResult &result)

@@ -29,12 +29,14 @@ public:
   Observer &observer() { return writes ? static_cast<Observer &>(*observers) : nobody; }
 
   void write_scene(const std::string &text) const;
+  /** The surface with its fields, and where its directors have defects. */
   void write_solution(const SurfaceModel &model, int step, double time);
 
   /** Picture and summary; the summary comes last. */
   void finish(const SurfaceModel &model, RunResult &result);
 
 private:
+  void write_defects(const SurfaceModel &model, int step);
   void draw(const SurfaceModel &model, RunResult &result);
 
   bool writes;

@@ -4,6 +4,7 @@
 
 #include <pellicle/apps/surface_application.h>
 #include <pellicle/apps/surface_run.h>
+#include <pellicle/apps/time_run.h>
 #include <pellicle/output/atomic_file.h>
 #include <pellicle/output/summary.h>
 
@@ -93,6 +94,8 @@ int run(const SurfaceApplication &application, const CommandLine &command_line, 
     model = whole_run->run({file, communicator, timing, output.observer(), write_solution}, *scene, result);
     describe(*scene, *model, result);
   }
+  else if (scene->motion() != nullptr)
+    result = run_in_time(*scene, *model, output.observer(), write_solution);
   else
     result = solve_scene(file, *scene, *model, output.observer(), write_solution);
   result.application = application.name;

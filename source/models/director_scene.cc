@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/body_nodes.h>
-#include <pellicle/assembly/edge_frames.h>
-#include <pellicle/assembly/nodal_chart.h>
 #include <pellicle/discretization/point_walk.h>
+#include <pellicle/models/director_defects.h>
 #include <pellicle/models/director_scene.h>
 #include <pellicle/models/director_start.h>
+#include <pellicle/models/relaxation_system.h>
 #include <pellicle/models/surface_model.h>
 #include <pellicle/potentials/director/director_effect.h>
 #include <pellicle/potentials/director/director_fields.h>
+#include <pellicle/potentials/dissipations/director_friction.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -17,48 +17,26 @@ namespace pellicle
 {
 namespace
 {
-constexpr const char *inclusion_edge = "inclusion";
-constexpr const char *outer_edge     = "outer rim";
-
 std::vector<std::size_t> all_nodes(const SurfaceDiscretization &surface)
 {
   std::vector<std::size_t> nodes(surface.n_nodes);
   std::iota(nodes.begin(), nodes.end(), 0);
   return nodes;
 }
-
-/** Directors at the rim of the inclusion: tilted outwards by the angle. */
-void tilt_at_edge(const SurfaceDiscretization &surface, const double angle, NodalVectors &directors)
-{
-  for (const EdgeLoop &loop : surface.edges)
-    if (loop.name == inclusion_edge)
-      for (const std::size_t node : loop.cell_nodes)
-      {
-        const double x = surface.positions[3 * node], y = surface.positions[3 * node + 1], r = std::hypot(x, y);
-        directors[3 * node]     = std::sin(angle) * x / r;
-        directors[3 * node + 1] = std::sin(angle) * y / r;
-        directors[3 * node + 2] = std::cos(angle);
-      }
-}
 } // namespace
 
 void CarrierParameters::bind(ParameterSection &section)
 {
-  section.choice("Shape", shape, {"vesicle", "inclusion"},
+  std::vector<std::string> shapes{"vesicle"};
+  shapes.insert(shapes.end(), inclusion_shape_names().begin(), inclusion_shape_names().end());
+  section.choice("Shape", shape, shapes,
                  "The surface that carries the directors. vesicle: the start shape of section Vesicle, closed or open. "
-                 "inclusion: a flat membrane around a disc, of section Inclusion.");
+                 "inclusion: a flat membrane around a disc, of section Inclusion. two inclusions: the same around two "
+                 "of them, in space. inclusion on vesicle: a sphere of Vesicle/Area around an inclusion at its lowest "
+                 "point.");
   section.choice("Motion", motion, {"free", "held"},
                  "free: the surface takes the shape of least energy. held: it stays as it starts, only the directors "
                  "are solved for.");
-}
-
-void InclusionParameters::bind(ParameterSection &section)
-{
-  section.number("Radius", radius, Range::positive(), dimensions::length, "Radius a of the inclusion.");
-  section.number("Outer radius", outer_radius, Range::positive(), dimensions::length,
-                 "Radius b of the membrane; there the directors are along its normal.");
-  section.number("Edge tilt", edge_tilt, Range::between(-1.5, 1.5), dimensions::none,
-                 "Angle in radians by which the directors at the inclusion are tilted outwards from the normal.");
 }
 
 void DirectorFieldParameters::bind(ParameterSection &section)
@@ -84,19 +62,53 @@ void DirectorScene::add_own_sections(std::vector<ParameterSection> &all)
   add_section(all, "Director field", field);
 }
 
+void DirectorScene::add_further_sections(std::vector<ParameterSection> &all)
+{
+  VesicleScene::add_further_sections(all);
+  add_section(all, "Time", time);
+}
+
 void DirectorScene::check() const
 {
   if (find<DirectorEffect>() == nullptr)
     throw UserError("The list Effects has no 'director': this application solves for directors. Add it, or use the "
                     "application 'vesicle'.");
-  if (has_inclusion() && !(inclusion.outer_radius > inclusion.radius))
-    throw UserError("Inclusion/Outer radius must be larger than Inclusion/Radius.");
+  inclusion.check(carrier.shape, mesh.symmetry);
+  if (has_inclusion() && std::isinf(find<DirectorEffect>()->parameters.tilt_modulus))
+    throw UserError("Director/Tilt modulus = inf: directors that stay normal cannot be tilted at an inclusion. Take a "
+                    "finite modulus, or Surface/Shape = vesicle.");
   VesicleScene::check();
+  check_time();
+}
+
+void DirectorScene::check_time() const
+{
+  time.check();
+  const bool has_friction = find<DirectorFrictionEffect>() != nullptr;
+  if (motion() == nullptr && has_friction)
+    throw UserError("The list Effects has 'director friction', but Time/End time is 0: an equilibrium knows no "
+                    "friction. Give an end time, or drop the effect.");
+  if (motion() == nullptr)
+    return;
+  if (!has_friction)
+    throw UserError("Time/End time is positive, but the list Effects has no 'director friction': how fast directors "
+                    "turn is not defined. Add it.");
+  if (!load.parameter.empty() || !branch.parameter.empty() || !analyses.empty())
+    throw UserError("A scene that moves in time (Time/End time > 0) can have neither Load/Parameter nor "
+                    "Continuation/Parameter nor Analyses: these are for equilibria.");
+  if (time.integrator == "ida" && std::isinf(find<DirectorEffect>()->parameters.tilt_modulus))
+    refuse_index_2();
+}
+
+void DirectorScene::set_targets(const Scales &scales, SceneTargets &targets) const
+{
+  VesicleScene::set_targets(scales, targets);
+  targets.surface_is_held = is_held();
 }
 
 bool DirectorScene::is_fixed(const std::string &parameter) const
 {
-  for (const char *section : {"Surface/", "Inclusion/", "Director field/"})
+  for (const char *section : {"Surface/", "Inclusion/", "Director field/", "Time/"})
     if (parameter.rfind(section, 0) == 0)
       return true;
   return VesicleScene::is_fixed(parameter);
@@ -104,39 +116,22 @@ bool DirectorScene::is_fixed(const std::string &parameter) const
 
 double DirectorScene::own_length() const
 {
-  return has_inclusion() ? inclusion.radius : VesicleScene::own_length();
+  return has_inclusion() && carrier.shape != "inclusion on vesicle" ? inclusion.radius : VesicleScene::own_length();
 }
 
-SurfaceDiscretization DirectorScene::bare_mesh() const
+InclusionMembrane DirectorScene::around_inclusions() const
 {
-  if (!has_inclusion())
-    return VesicleScene::start_mesh();
-  StartShape ring   = start_shape();
-  ring.name         = "annulus";
-  ring.inner_radius = inclusion.radius;
-  ring.outer_radius = inclusion.outer_radius;
-  // Tilt decays over a few radii or less: cells at the inclusion are a fifth of equal ones.
-  constexpr double graded = 0.2;
-  ring.smallest_cell      = graded * (ring.outer_radius - ring.inner_radius) / (ring.radial_cells << ring.refinements);
-  SurfaceDiscretization mesh = make_start_shape(ring);
-  mesh.edges[0].name         = inclusion_edge;
-  mesh.edges[1].name         = outer_edge;
-  return mesh;
+  const DirectorParameters &law = find<DirectorEffect>()->parameters;
+  return {carrier.shape, inclusion, std::sqrt(law.bending_modulus / law.tilt_modulus)};
 }
 
 SurfaceDiscretization DirectorScene::start_mesh() const
 {
-  SurfaceDiscretization mesh = bare_mesh();
+  SurfaceDiscretization mesh = has_inclusion() ? around_inclusions().mesh(start_shape()) : VesicleScene::start_mesh();
   NodalVectors directors     = start_directors(mesh, field.start, field.angle);
   add_director_noise(mesh, field.noise, field.random_seed, directors);
   if (has_inclusion())
-  {
-    const NodalVectors normals = nodal_normals(mesh, mesh.positions);
-    for (const EdgeLoop &loop : mesh.edges)
-      for (const std::size_t node : loop.cell_nodes)
-        std::copy_n(&normals[3 * node], 3, &directors[3 * node]);
-    tilt_at_edge(mesh, inclusion.edge_tilt, directors);
-  }
+    around_inclusions().tilt(mesh, start_shape(), directors);
   mesh.start_values[std::string(director)] = std::move(directors);
   return mesh;
 }
@@ -152,7 +147,12 @@ DirectorScene::rim_conormals(const SurfaceDiscretization &start) const
 std::vector<SceneEdge> DirectorScene::edges() const
 {
   if (has_inclusion())
-    return {{inclusion_edge, EdgeSupport::hinged}, {outer_edge, EdgeSupport::hinged}};
+  {
+    std::vector<SceneEdge> rims;
+    for (const std::string &name : around_inclusions().rims())
+      rims.push_back({name, EdgeSupport::hinged});
+    return rims;
+  }
   return VesicleScene::edges();
 }
 
@@ -189,6 +189,13 @@ SurfaceMeasures DirectorScene::measures(const Scales &scales) const
     PotentialSet null;
     null.energies.push_back(null_lagrangian(model.scene_targets().director_law()));
     list.push_back({"null_lagrangian_energy", model.equilibrium().value_of(null), dimensions::energy});
+    if (const auto defects = director_defects(model))
+    {
+      list.push_back({"defects", static_cast<double>(defects->size()), dimensions::none});
+      const double charge = std::accumulate(defects->begin(), defects->end(), 0.,
+                                            [](const double sum, const Defect &d) { return sum + d.charge; });
+      list.push_back({"defect_charge", charge, dimensions::none});
+    }
     return list;
   };
 }

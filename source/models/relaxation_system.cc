@@ -43,12 +43,17 @@ void refuse_what_is_not_of_index_1(const SurfaceProblem &problem)
   for (const auto &energy : problem.potentials().energies)
     if (const auto *tilt = dynamic_cast<const DensityPotential<MixedTiltEnergy> *>(energy.get());
         tilt != nullptr && std::isinf(tilt->density().tilt_modulus))
-      throw UserError(
-          "Time/Integrator = ida cannot be used with Director/Tilt modulus = inf: the shear of directors is "
-          "then the multiplier of a constraint, and the motion a system of index 2. Use Time/Integrator = "
-          "minimising, or a finite tilt modulus.");
+      refuse_index_2();
 }
 } // namespace
+
+void refuse_index_2()
+{
+  throw UserError(
+      "Time/Integrator = ida cannot be used with Director/Tilt modulus = inf: the shear of directors is then "
+      "the multiplier of a constraint, and the motion a system of index 2. Use Time/Integrator = "
+      "minimising, or a finite tilt modulus.");
+}
 
 // Unit vectors get the direction that they have as a further column; whatever else has unknowns keeps them.
 Numbering RelaxationSystem::numbering_of(const SurfaceProblem &problem)

@@ -85,6 +85,7 @@ private:
 SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &communicator, Timing &timing)
     : newton(scene.newton)
     , unit(scene.scales())
+    , communicator(communicator)
     , timing(timing)
     , discretization(scene.start_mesh())
     , own_surroundings(scene.surroundings())
@@ -286,6 +287,18 @@ StepResult SurfaceModel::solve(const int step, Observer &observer)
     problem->set_state(before);
   }
   return search.result();
+}
+
+void SurfaceModel::start_motion(const TimeParameters &time)
+{
+  current_motion = make_motion(time, {newton, *problem, *solver, communicator, timing});
+  count_unknowns();
+}
+
+StepResult SurfaceModel::move(const double time, const int step, Observer &observer)
+{
+  InUsersUnits energies(observer, unit);
+  return current_motion->advance(time, step, energies);
 }
 
 void SurfaceModel::apply_active_sets()

@@ -189,6 +189,11 @@ std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
     total += energy.value;
   }
   report("total_energy", total, dimensions::energy);
+  if (current_motion)
+  {
+    report("dissipation", current_motion->dissipation(), dimensions::power);
+    report("energy_balance_error", current_motion->balance().relative_error(), dimensions::none);
+  }
   for (const NamedQuantity &force : forces())
     report(force.name, force.value, force.dimension);
   // Measures that nothing else reports: length of a tether, area of a domain.

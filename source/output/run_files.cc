@@ -26,7 +26,7 @@ bool is_file_of_a_step(const std::string &name, const std::string &prefix)
 bool is_result_file(const std::string &name)
 {
   for (const char *result : {"summary.json", "history.csv", "convergence.csv", "accuracy.csv", "branch.csv",
-                             "phase_diagram.csv", "solution.pvd", "picture.png"})
+                             "phase_diagram.csv", "defects.csv", "solution.pvd", "picture.png"})
     if (name == result)
       return true;
   return is_file_of_a_step(name, "solution_") || is_file_of_a_step(name, "substrate_");

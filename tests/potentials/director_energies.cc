@@ -5,6 +5,7 @@
 #include <pellicle/base/constants.h>
 #include <pellicle/potentials/density_potential.h>
 #include <pellicle/potentials/director/director_gradient.h>
+#include <pellicle/potentials/director/in_plane_directors.h>
 #include <pellicle/potentials/director/spontaneous_director_curvature.h>
 #include <pellicle/potentials/director/tilt_energy.h>
 
@@ -103,6 +104,7 @@ TEST(DirectorEnergies, WaveOnThePlane)
       {0.5 * g * c, 0., -0.5 * g * s}};
   const double J = 2.;
   EXPECT_NEAR(value(TiltEnergy{law.tilt_modulus}, slots), J * 0.5 * law.tilt_modulus * s * s, 1e-14);
+  EXPECT_NEAR(value(NormalDirectorEnergy{law.tilt_modulus}, slots), J * 0.5 * law.tilt_modulus * c * c, 1e-14);
   EXPECT_NEAR(value(DirectorGradientEnergy{law.bending_modulus}, slots), J * 0.5 * law.bending_modulus * g * g, 1e-14);
   EXPECT_NEAR(null_value(slots), 0., 1e-14);
   const double two_mu_1 = law.bending_modulus, two_mu_2 = law.null_modulus();
@@ -184,7 +186,7 @@ TEST(DirectorEnergies, MixedTiltIsTheEnergyOfTilt)
   for (const double k_0 : {0.1, 1.1})
   {
     const double k_t = 2.3;
-    const Mixed mixed(k_t, k_0, O, (k_t - k_0) * tilt);
+    const Mixed mixed(k_t, k_0, O, k_t * tilt);
     EXPECT_NEAR(mixed.sums.value[0], p.jacobian * 0.5 * k_t * dot(tilt, tilt), 1e-14);
     for (unsigned int c = 0; c < 3; ++c)
       EXPECT_NEAR(mixed.sums.gradient[12 + c], 0., 1e-14);
@@ -196,6 +198,7 @@ TEST(DirectorEnergies, MixedTiltIsTheEnergyOfTilt)
   for (unsigned int c = 0; c < 3; ++c)
     EXPECT_NEAR(normal.sums.gradient[12 + c], 0., 1e-15);
   // ... and q has no normal part.
-  EXPECT_NEAR(Mixed(infinity, 0.7, p.normal, 0.3 * p.normal).sums.value[0], -p.jacobian * 0.09 / (2. * 0.7), 1e-15);
+  EXPECT_NEAR(Mixed(infinity, 0.7, p.normal, 0.3 * p.normal).sums.value[0],
+              -p.jacobian * 0.09 * MixedTiltEnergy::normal_weight / (2. * 0.7), 1e-15);
 }
 } // namespace

@@ -6,6 +6,7 @@
 #include <pellicle/potentials/director/director_effect.h>
 #include <pellicle/potentials/energies/mesh_distortion.h>
 #include <pellicle/potentials/potential_library.h>
+#include <pellicle/potentials/shell/cosserat_shell.h>
 
 #include <gtest/gtest.h>
 
@@ -26,13 +27,16 @@ struct ListedPotential
   std::shared_ptr<const Potential> potential;
 
   bool is_on_edge() const { return potential->where().part == Where::Part::edge; }
-  /** Heights and given conormals single out directions in space, and so does the state that b_a remember: (44) of Hu,
-   * Zhang & E turns them about O at the rate of the spin about n. */
+  /** Heights, given conormals and dead loads single out directions in space, and so does the state that b_a remember:
+   * (44) of Hu, Zhang & E turns them about O at the rate of the spin about n. */
   bool is_isotropic() const
   {
     const bool remembers =
         potential->name() == "spontaneous director curvature" && !potential->reparametrisation_invariant();
-    return potential->where().name != "tip" && potential->where().name != "clamped rim" && !remembers;
+    for (const char *const part : {"tip", "clamped rim", "load point"})
+      if (potential->where().name == part)
+        return false;
+    return potential->name() != "dead load" && !remembers;
   }
 };
 
@@ -49,6 +53,10 @@ SceneTargets generous_targets()
   targets.cell_sizes       = std::make_shared<const std::vector<double>>(1, 1.6);
   targets.director_start   = std::make_shared<const std::vector<DirectorPoint>>(
       1, DirectorPoint{{1.1, 0.1, 0.2}, {-0.2, 0.9, 0.1}, {0.3, -0.2, 0.8}});
+  targets.shell = ShellTargets{std::make_shared<const std::vector<ShellReference>>(
+                                   1, ShellReference({{{1.1, 0.1, 0.2}, {-0.2, 0.9, 0.1}, {-0.1, -0.1, 1.}}},
+                                                     {{{0.2, 0., 0.1}, {0., 0.3, 0.}}}, {})),
+                               {{"load point", {0.6, -0.48, 0.64}, {0.1, 0.2, 0.}}}};
   targets.edges = {{"free rim", EdgeSupport::free},
                    {"hinged rim", EdgeSupport::hinged},
                    {"clamped rim", EdgeSupport::clamped, conormal},
@@ -118,7 +126,7 @@ std::vector<ListedPotential> listed_potentials()
 struct Point
 {
   std::vector<unsigned int> offsets, slots; ///< of each field
-  std::vector<bool> is_scalar;              ///< of each vector of inputs: a number in its first component
+  std::vector<bool> turns; ///< of each vector of inputs: it turns with the surface; no number, no stress of a reference
   unsigned int n_inputs = 0;
   std::vector<double> inputs;
 
@@ -130,14 +138,15 @@ struct Point
       offsets.push_back(n_inputs);
       slots.push_back(n_slots(use.derivatives));
       n_inputs += 3 * slots.back();
-      is_scalar.resize(n_inputs / 3, use.space == FieldSpace::edge_scalars);
+      turns.resize(n_inputs / 3,
+                   use.space != FieldSpace::edge_scalars && use.name != shell_stress_1 && use.name != shell_stress_2);
     }
     for (unsigned int i = 0; i < n_inputs; ++i)
       inputs.push_back(uniform(random));
     const std::vector<FieldUse> fields = potential.fields();
     for (std::size_t f = 0; f < offsets.size(); ++f)
     {
-      if (fields[f].space == FieldSpace::unit_vectors)
+      if (fields[f].space == FieldSpace::unit_vectors || fields[f].name == shell_director)
         inputs[offsets[f] + 2] += 1.; // near e_z
       if (slots[f] > 1)
       {
@@ -251,7 +260,7 @@ TEST(PotentialLibrary, DensitiesAreInvariantUnderRotation)
     const Point point(*listed.potential, random);
     std::vector<double> rotated = point.inputs;
     for (unsigned int k = 0; k < point.n_inputs; k += 3)
-      for (unsigned int i = 0; i < 3 && !point.is_scalar[k / 3]; ++i)
+      for (unsigned int i = 0; i < 3 && point.turns[k / 3]; ++i)
         rotated[k + i] = R[i][0] * point.inputs[k] + R[i][1] * point.inputs[k + 1] + R[i][2] * point.inputs[k + 2];
     const double before = derivatives(*listed.potential, point, point.inputs, Order::value).value[0];
     EXPECT_NEAR(derivatives(*listed.potential, point, rotated, Order::value).value[0], before,

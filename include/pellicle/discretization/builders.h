@@ -62,6 +62,22 @@ struct AnnulusShape
  */
 SurfaceDiscretization annulus(const AnnulusShape &ring, unsigned int degree, unsigned int refinements, bool axial);
 
+/** Flat disc about the origin with two circular holes, centred on (distance/2, 0) and (-distance/2, 0). */
+struct DiscWithTwoHoles
+{
+  double hole_radius  = 0.;
+  double distance     = 0.; ///< of the centres of the holes
+  double outer_radius = 0.;
+  double smallest     = 0.; ///< size of the cells at the holes on the mesh as refined, if rays are long; 0: not graded
+};
+
+/**
+ * Disc with n = e_z and rims "right hole", "left hole" and "ring". Cells lie on straight rays from the holes to the rim
+ * or to the line x = 0; both halves have 6 * 2^r cells along a ray and 16 * 2^r around the hole. Throws UserError for
+ * holes that touch each other or the rim.
+ */
+SurfaceDiscretization disc_with_two_holes(const DiscWithTwoHoles &disc, unsigned int degree, unsigned int refinements);
+
 /**
  * A closed shape whose part around the north pole of the sphere that it is a map of, z > 0, is region "domain" with the
  * given fraction of the (smooth) shape's area, and the rest "membrane". The line between, "domain boundary", is made of

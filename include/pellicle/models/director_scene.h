@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/models/inclusions.h>
 #include <pellicle/models/vesicle_scene.h>
 
 #include <string>
@@ -17,16 +18,6 @@ struct CarrierParameters
   void bind(ParameterSection &section);
 };
 
-/** Section "Inclusion": a rigid disc in a membrane that starts flat, in the user's units. */
-struct InclusionParameters
-{
-  double radius       = 1.;
-  double outer_radius = 20.;
-  double edge_tilt    = 0.5;
-
-  void bind(ParameterSection &section);
-};
-
 /** Section "Director field": directors at the start, and what holds them at rims. */
 struct DirectorFieldParameters
 {
@@ -39,13 +30,14 @@ struct DirectorFieldParameters
   void bind(ParameterSection &section);
 };
 
-/** A membrane with directors: a vesicle, an open membrane, or a flat one around an inclusion; held or free to move. */
+/** A membrane with directors: a vesicle, an open membrane, or one around inclusions; held or free to move. */
 class DirectorScene : public VesicleScene
 {
 public:
   CarrierParameters carrier;
   InclusionParameters inclusion;
   DirectorFieldParameters field;
+  TimeParameters time;
 
   void check() const override;
   SurfaceDiscretization start_mesh() const override;
@@ -54,15 +46,19 @@ public:
   NodalConditions conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const override;
   SurfaceMeasures measures(const Scales &scales) const override;
   void add_references(const SurfaceDiscretization &start, SceneTargets &targets) const override;
+  const TimeParameters *motion() const override { return time.end_time > 0. ? &time : nullptr; }
 
 protected:
   void add_own_sections(std::vector<ParameterSection> &all) override;
+  void add_further_sections(std::vector<ParameterSection> &all) override;
   double own_length() const override;
+  void set_targets(const Scales &scales, SceneTargets &targets) const override;
   bool is_fixed(const std::string &parameter) const override;
 
 private:
-  bool has_inclusion() const { return carrier.shape == "inclusion"; }
+  bool has_inclusion() const { return has_inclusions(carrier.shape); }
   bool is_held() const { return carrier.motion == "held"; }
-  SurfaceDiscretization bare_mesh() const;
+  void check_time() const;
+  InclusionMembrane around_inclusions() const;
 };
 } // namespace pellicle

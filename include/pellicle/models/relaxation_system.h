@@ -13,6 +13,9 @@ namespace pellicle
 {
 class SurfaceProblem;
 
+/** Throws the UserError that a tilt modulus of infinity makes a system of index 2. */
+[[noreturn]] void refuse_index_2();
+
 /**
  * Unit vectors O_I at the nodes of a surface that is held, turning down their energy against friction. With M the
  * second derivative of the dissipation potentials, which does not depend on O, and h_I = dE/dO_I + sum_J M_IJ O_J', the

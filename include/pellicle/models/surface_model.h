@@ -4,6 +4,7 @@
 #include <pellicle/base/observer.h>
 #include <pellicle/base/timing.h>
 #include <pellicle/models/equilibrium_search.h>
+#include <pellicle/models/surface_motion.h>
 #include <pellicle/models/surface_sample.h>
 #include <pellicle/models/surface_scene.h>
 
@@ -40,6 +41,14 @@ public:
    * of the equilibrium, and downhill where it is unstable and the scene wants that. On failure the state before the
    * call is restored. */
   StepResult solve(int step, Observer &observer);
+
+  /** Begins to move from the present state, at time 0, down the energy against the listed dissipation potentials: see
+   * make_motion() for what it throws. */
+  void start_motion(const TimeParameters &time);
+  /** Moves on to a later time. After a failure the model is where the motion stopped. */
+  StepResult move(double time, int step, Observer &observer);
+  /** The motion that was begun; null: none. */
+  const SurfaceMotion *motion() const { return current_motion.get(); }
 
   /** The scene with another value of a parameter. May throw UserError. */
   using SceneAt = std::function<std::unique_ptr<SurfaceScene>(double)>;
@@ -108,6 +117,8 @@ public:
   const SurfaceProblem &equilibrium() const { return *problem; }
   const SurfaceDiscretization &mesh() const { return discretization; }
   const Scales &scales() const { return unit; }
+  /** Where the origin of the internal coordinates is, in the user's units. */
+  Vector3<double> origin() const { return {centroid[0], centroid[1], centroid[2]}; }
 
 private:
   /** What the equations live on: its first nodes are those of mesh(). */
@@ -143,12 +154,14 @@ private:
 
   NewtonParameters newton;
   Scales unit;
+  const Communicator &communicator;
   Timing &timing;
   std::array<double, 3> centroid{};
   SurfaceDiscretization discretization;
   std::optional<SurfaceDiscretization> split; ///< along the line around a domain, where the moment jumps there
   std::unique_ptr<SurfaceProblem> problem;
   std::unique_ptr<LinearSolver> solver;
+  std::unique_ptr<SurfaceMotion> current_motion;
   SurfaceState last_iterate;                                     ///< of the last solve that failed
   SceneTargets targets;                                          ///< what the effects were given, internal units
   std::shared_ptr<const std::vector<ReferenceMetric>> reference; ///< of elastic skins

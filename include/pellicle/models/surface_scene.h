@@ -12,6 +12,7 @@
 #include <pellicle/solvers/continuation.h>
 #include <pellicle/solvers/load_stepping.h>
 #include <pellicle/solvers/newton.h>
+#include <pellicle/solvers/time_stepping.h>
 
 #include <functional>
 #include <map>
@@ -128,6 +129,8 @@ public:
    * moves the centroid there. */
   virtual bool has_origin() const { return false; }
   virtual NodeNoise node_noise() const { return {}; }
+  /** How the scene moves in time; null: it does not, an equilibrium is looked for. */
+  virtual const TimeParameters *motion() const { return nullptr; }
   /** Nodal positions, in the user's units, at which elastic skins are free of stress; none: the start shape. */
   virtual std::optional<NodalVectors> reference_positions() const { return std::nullopt; }
   /** Name of the line along which the solved mesh is split; empty: none. */
