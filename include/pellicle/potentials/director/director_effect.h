@@ -35,7 +35,7 @@ public:
   DirectorParameters parameters;
 };
 
-/** k_0 = min(K/(10 h^2), k_t/2) at every quadrature point, the part of the tilt modulus that MixedTiltEnergy leaves in
+/** k_0 = min(c K/h^2, 9 k_t/10), c = 1/10 on a surface that is held and 1 on one that moves, at every quadrature point, the part of the tilt modulus that MixedTiltEnergy leaves in
  * displacement form; null while the scene is only checked. */
 std::shared_ptr<const std::vector<double>> direct_tilt_modulus(const DirectorLaw &law, const SceneTargets &targets);
 

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Directors that move in time: what the files say, both integrators, and a user's mistakes."""
+
+import math
+
+from director_program import SCENES, DirectorTest, in_pairs, settings
+
+SCENE = SCENES / "relaxation.prm"
+MINIMISING = "Time/Integrator=minimising"
+
+CASES = [
+    (["Director/Tilt modulus=inf"], ["Tilt modulus = inf", "index 2", "minimising"]),
+    (["Time/End time=0", "Time/Step=0"], ["director friction", "End time"]),
+    (["Time/End time=0"], ["Time/Step = 0.1", "End time"]),
+    (["Time/Step=2"], ["Time/Step = 2", "longer"]),
+    (["Time/Integrator=euler"], ["euler", "minimising", "ida"]),
+    (["Effects=director"], ["how fast", "director friction"]),
+    (["Surface/Motion=free"], ["material points", "Hold the surface"]),
+    (["Load/Parameter=Director/Tilt modulus", "Load/To=4"], ["Load/Parameter", "Time/End time"]),
+    (["Analyses=stability"], ["Analyses", "Time/End time"]),
+    (["Director friction/Friction=0"], ["Friction", "a number > 0"]),
+    (["Director friction/Frame=body"], ["body", "lab", "objective"]),
+]
+
+
+class Motions(DirectorTest):
+    def columns(self, run, *names):
+        return [[float(row[name]) for row in run.table("history.csv")] for name in names]
+
+    def check_books(self, run, end=1.0):
+        """Energy falls, dissipation too; times are as asked for."""
+        times, energies, powers = self.columns(run, "time", "total_energy", "dissipation")
+        self.assertEqual(times[0], 0.0)
+        self.assertEqual(times[-1], end)
+        for before, after in zip(energies, energies[1:]):
+            self.assertLess(after, before)
+        for before, after in zip(powers, powers[1:]):
+            self.assertLess(after, before)
+        self.assertEqual(run.quantities["dissipation"], powers[-1])
+
+    def test_shipped_scene(self):
+        run = self.solve(SCENE)
+        self.check_books(run)
+        energies, powers = self.columns(run, "tilt_energy", "dissipation")
+        self.assertEqual(len(energies), 11)
+        self.assert_within(energies[-1] / energies[0], math.exp(-4), 1e-3)
+        # Of the mode, E = (k_t/2) |O_tan|^2 and 2D = eta |O_t|^2 = k_t^2/eta |O_tan|^2.
+        self.assert_within(powers[0], 4 * energies[0], 1e-3)
+        self.assertLess(abs(run.quantities["energy_balance_error"]), 1e-3)
+        self.assertEqual(run.summary["warnings"], [])
+        self.assertEqual(run.summary["newton"]["steps"], 10)
+        self.assertIn("solution_0010.vtu", run.files)
+
+    def test_minimising_steps(self):
+        errors = []
+        for n, every in ((10, 5), (20, 100)):
+            run = self.solve(SCENE, MINIMISING, f"Time/Step={1 / n}", f"Time/Output every={every}", name=f"steps{n}")
+            self.check_books(run)
+            energies, = self.columns(run, "tilt_energy")
+            self.assert_within(energies[-1] / energies[0], (1 + 2 / n) ** (-2 * n), 1e-3)
+            errors.append(run.quantities["energy_balance_error"])
+            self.assertEqual([f for f in run.files if f.startswith("solution_0")],
+                             [f"solution_{i:04}.vtu" for i in (range(0, n + 1, every) if every <= n else (0, n))])
+        self.assertLess(errors[0], 0)
+        self.assert_within(errors[0] / errors[1], 2, 0.15)
+
+    def test_far_start_in_space_with_noise(self):
+        run = self.solve(SCENE, MINIMISING, "Mesh/Symmetry=none", "Mesh/Refinements=0", "Director field/Angle=1.5", "Director field/Noise=0.05")
+        self.check_books(run)
+        both = self.solve(SCENE, "Mesh/Symmetry=none", "Mesh/Refinements=0", "Director field/Angle=1.5", "Director friction/Frame=lab", name="ida")
+        self.check_books(both)
+
+    def test_infinite_tilt_modulus(self):
+        run = self.solve(SCENE, MINIMISING, "Director/Tilt modulus=inf", "Director field/Angle=0", "Time/Step=0.5")
+        self.assert_within(run.quantities["total_energy"], 4 * math.pi, 1e-4)
+
+    def test_two_processes(self):
+        for integrator in ("ida", "minimising"):
+            one, two = (self.solve(SCENE, f"Time/Integrator={integrator}", "Time/Step=0.5", name=f"{integrator}{n}",
+                                   **({} if n == 1 else {"launcher": ("mpirun", "--oversubscribe", "-np", "2")})) for n in (1, 2))
+            self.assert_within(two.quantities["tilt_energy"], one.quantities["tilt_energy"], 1e-5)
+
+
+class Refusals(DirectorTest):
+    def test_mistakes(self):
+        def attempt(number_and_case):
+            number, (assignments, words) = number_and_case
+            directory = self.folder / str(number)
+            return self.call(SCENE, *settings(*assignments), "--output-directory", directory), directory, words
+
+        for process, directory, words in in_pairs(attempt, enumerate(CASES)):
+            with self.subTest(words=words):
+                self.assert_clear_refusal(process, directory, words)
