@@ -311,7 +311,7 @@ def section_view(surface, colours, beside):
     outline.GetProperty().LightingOff()
     renderer.AddActor(outline)
 
-    directors = needles(lines.GetOutput(), 0.11 * half_height, 0.015 * half_height)
+    directors = needles(lines.GetOutput(), 0.09 * half_height, 0.015 * half_height)
     if directors is not None:
         renderer.AddActor(needle_actor(directors))
 
