@@ -5,10 +5,12 @@
     xvfb-run -a /usr/bin/python3 render_surface.py solution_0004.vtu picture.png [--field FIELD] [--title TEXT]
         [--beside substrate.vtu]
 
-The field is mean_curvature_outward unless said otherwise. Left: the surface in three-quarter view, from the side that
-shows the deeper dimple. Right: its section by the x-z plane through the centre, in the same colours. Below: the colour
-bar. What is in the file beside is drawn in grey: bodies that the surface touches. Needs the Debian packages python3-vtk9, xvfb and xauth; nothing else. Exit status: 0 picture written; 1 the file
-cannot be drawn; 3 VTK is not installed. The last line printed says why.
+The field is mean_curvature_outward unless said otherwise, or the length of the field tilt where a surface with directors
+is a plane or a sphere. Left: the surface in three-quarter view, from the side that shows the deeper dimple. Right: its
+section by the x-z plane through the centre, in the same colours. The field director is drawn as needles. Below: the
+colour bar. What is in the file beside is drawn in grey: bodies that the surface touches. Needs the Debian packages
+python3-vtk9, xvfb and xauth; nothing else. Exit status: 0 picture written; 1 the file cannot be drawn; 3 VTK is not
+installed. The last line printed says why.
 """
 import argparse
 import math
@@ -18,19 +20,20 @@ import sys
 try:
     import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws text)
     import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws everything else)
-    from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkOutputWindow
+    from vtkmodules.vtkCommonCore import vtkOutputWindow
     from vtkmodules.vtkCommonDataModel import vtkPlane
     from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
-    from vtkmodules.vtkFiltersCore import (vtkCutter, vtkPointDataToCellData, vtkPolyDataNormals,
+    from vtkmodules.vtkFiltersCore import (vtkArrayCalculator, vtkCutter, vtkMassProperties, vtkPolyDataNormals,
                                            vtkStaticCleanPolyData, vtkStripper, vtkTriangleFilter, vtkTubeFilter)
     from vtkmodules.vtkFiltersGeneral import vtkContourTriangulator
     from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
-    from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
     from vtkmodules.vtkIOImage import vtkPNGWriter
     from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
-    from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-    from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper,
+    from vtkmodules.vtkRenderingCore import (vtkActor, vtkLight, vtkPolyDataMapper,
                                              vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter)
+
+    from colours import CONSTANT, INK, CannotDraw, colour_bar, colour_map, colour_range, percentiles
+    from needles import needle_actor, needles
 except ImportError as error:
     print(f"VTK for Python is missing ({error}; on Debian: apt-get install python3-vtk9).", file=sys.stderr)
     sys.exit(3)
@@ -38,17 +41,15 @@ except ImportError as error:
 WIDTH, HEIGHT = 1400, 1050
 MAIN_VIEW = (0.0, 0.16, 0.68, 0.92)  # left, bottom, right, top as parts of the picture
 SECTION_VIEW = (0.68, 0.30, 1.0, 0.84)
-INK = (0.13, 0.14, 0.17)
 STONE = (0.55, 0.56, 0.58)
-TITLES = {"mean_curvature_outward": "Mean curvature (positive on a sphere)", "gauss_curvature": "Gauss curvature"}
-
-
-class CannotDraw(Exception):
-    """The message is for the user."""
+TITLES = {"mean_curvature_outward": "Mean curvature (positive on a sphere)", "gauss_curvature": "Gauss curvature",
+          "tilt_length": "Tilt, the length of the directors' tangential part"}
+NEEDLES = 28  # along the side of a square of the surface's area
 
 
 def read_surface(path, field):
-    """The triangles that stand for the surface in the picture, with the field as active scalar."""
+    """The triangles that stand for the surface in the picture, and the scalar field for their colours: the one that is
+    asked for, or one that suits the surface."""
     if not os.path.isfile(path):
         raise CannotDraw(f"{path} does not exist.")
     vtkOutputWindow.SetGlobalWarningDisplay(0)  # VTK's own complaints about a broken file say less than ours
@@ -58,11 +59,11 @@ def read_surface(path, field):
     grid = reader.GetOutput()
     if reader.GetErrorCode() != 0 or grid.GetNumberOfCells() == 0:
         raise CannotDraw(f"{path} holds no surface.")
-    array = grid.GetPointData().GetArray(field)
+    wanted = field or "mean_curvature_outward"
+    array = grid.GetPointData().GetArray(wanted)
     if array is None or array.GetNumberOfComponents() != 1:
         names = [grid.GetPointData().GetArrayName(i) for i in range(grid.GetPointData().GetNumberOfArrays())]
-        raise CannotDraw(f"{path} has no scalar field '{field}' (it has {', '.join(map(str, names))}).")
-    grid.GetPointData().SetActiveScalars(field)
+        raise CannotDraw(f"{path} has no scalar field '{wanted}' (it has {', '.join(map(str, names))}).")
 
     # Each step of the subdivision quadruples the triangles; a few hundred thousand show no facets at this size.
     nodes_per_cell = grid.GetNumberOfPoints() / grid.GetNumberOfCells()
@@ -84,60 +85,27 @@ def read_surface(path, field):
     normals.SetInputConnection(joined.GetOutputPort())
     normals.SplittingOff()
     normals.ConsistencyOff()
-    normals.Update()
-    return normals.GetOutput()
+    lengths = vtkArrayCalculator()
+    lengths.SetInputConnection(normals.GetOutputPort())
+    lengths.AddVectorArrayName("tilt")
+    lengths.SetFunction("mag(tilt)")
+    lengths.SetResultArrayName("tilt_length")
+    last = normals if grid.GetPointData().GetArray("tilt") is None else lengths
+    last.Update()
+    surface = last.GetOutput()
+    field = field or chosen_field(surface)
+    surface.GetPointData().SetActiveScalars(field)
+    return surface, field
 
 
-def colour_range(surface, field):
-    """The 1st and 99th percentile by area: single nodes that stick out do not bleach the rest."""
-    sizes = vtkCellSizeFilter()
-    sizes.SetInputData(surface)
-    sizes.ComputeLengthOff()
-    sizes.ComputeVolumeOff()
-    sizes.ComputeVertexCountOff()
-    cells = vtkPointDataToCellData()
-    cells.SetInputConnection(sizes.GetOutputPort())
-    cells.Update()
-    values, areas = cells.GetOutput().GetCellData().GetArray(field), cells.GetOutput().GetCellData().GetArray("Area")
-    pairs = sorted((values.GetValue(i), areas.GetValue(i)) for i in range(values.GetNumberOfTuples())
-                   if math.isfinite(values.GetValue(i)))
-    if not pairs:
-        raise CannotDraw(f"the field '{field}' has no finite value.")
-    total, below, low, high = sum(area for _, area in pairs), 0.0, pairs[0][0], pairs[-1][0]
-    for value, area in pairs:
-        if below <= 0.01 * total:
-            low = value
-        if below <= 0.99 * total:
-            high = value
-        below += area
-    # A constant field stays one colour instead of showing its round-off.
-    least = 0.1 * max(abs(low), abs(high)) or 1.0
-    if high - low < least:
-        low, high = (low + high - least) / 2, (low + high + least) / 2
-    return low, high
-
-
-def colour_map(low, high):
-    """Diverging about zero (blue inward, red outward) where the field has both signs, else from dark to bright."""
-    colours = vtkColorTransferFunction()
-    colours.SetNanColor(0.6, 0.6, 0.6)
-    colours.SetColorSpaceToLab()
-    if low < 0 < high:
-        extreme = max(-low, high)
-        blues = [(0.10, 0.24, 0.56), (0.17, 0.44, 0.73), (0.36, 0.64, 0.83), (0.66, 0.82, 0.90)]
-        reds = [(0.62, 0.03, 0.16), (0.80, 0.20, 0.20), (0.90, 0.44, 0.34), (0.96, 0.70, 0.58)]
-        for i in range(4):
-            colours.AddRGBPoint(-extreme * (1 - i / 4), *blues[i])
-            colours.AddRGBPoint(extreme * (1 - i / 4), *reds[i])
-        colours.AddRGBPoint(0.0, 0.93, 0.92, 0.91)
-    else:
-        # Viridis without its darkest part, which shading would turn to black.
-        steps = [(0.254, 0.265, 0.530), (0.207, 0.372, 0.553), (0.164, 0.471, 0.558), (0.128, 0.567, 0.551),
-                 (0.135, 0.659, 0.518), (0.267, 0.749, 0.441), (0.478, 0.821, 0.318), (0.741, 0.873, 0.150),
-                 (0.993, 0.906, 0.144)]
-        for i, step in enumerate(steps):
-            colours.AddRGBPoint(low + (high - low) * i / (len(steps) - 1), *step)
-    return colours
+def chosen_field(surface):
+    """What tells most about a surface: of directors on a plane or a sphere the tilt, else curvature."""
+    curvature = "mean_curvature_outward"
+    if surface.GetPointData().GetArray("tilt_length") is None:
+        return curvature
+    low, high = percentiles(surface, curvature)
+    size = max(box_of(surface)[1])
+    return "tilt_length" if high - low < CONSTANT * max(abs(low), abs(high), 0.1 / size) else curvature
 
 
 def coloured_actor(algorithm, colours):
@@ -202,6 +170,13 @@ def grey_actor(algorithm, opacity):
     return actor
 
 
+def needle_distance(surface):
+    mass = vtkMassProperties()
+    mass.SetInputData(surface)
+    mass.Update()
+    return math.sqrt(mass.GetSurfaceArea()) / NEEDLES
+
+
 def main_view(surface, colours, beside):
     """The shaded surface."""
     centre, size = box_of(surface)
@@ -218,6 +193,12 @@ def main_view(surface, colours, beside):
     look.SetSpecular(0.22)
     look.SetSpecularPower(28)
     renderer.AddActor(actor)
+    drawn = [surface] if beside is None else [surface, beside]
+    distance = needle_distance(surface)
+    directors = needles(surface, distance, 0.09 * distance)
+    if directors is not None:
+        renderer.AddActor(needle_actor(directors))
+        drawn.append(directors)
     if beside is not None:
         bodies = vtkTrivialProducer()
         bodies.SetOutput(beside)
@@ -236,7 +217,7 @@ def main_view(surface, colours, beside):
     camera.SetViewUp(0, 0, 1)
     camera.SetViewAngle(22)
     renderer.ResetCamera()
-    fill_view(renderer, [surface] if beside is None else [surface, beside])
+    fill_view(renderer, drawn)
 
     renderer.AutomaticLightCreationOff()
     key, fill = ((-0.9, 1.3, 1.4), 0.78, (1.0, 0.985, 0.96)), ((1.6, 0.2, 1.0), 0.30, (0.93, 0.96, 1.0))
@@ -330,6 +311,10 @@ def section_view(surface, colours, beside):
     outline.GetProperty().LightingOff()
     renderer.AddActor(outline)
 
+    directors = needles(lines.GetOutput(), 0.09 * half_height, 0.015 * half_height)
+    if directors is not None:
+        renderer.AddActor(needle_actor(directors))
+
     if beside is not None:
         through = vtkCutter()
         through.SetInputData(beside)
@@ -368,48 +353,6 @@ def text(content, x, y, size, bold=False):
     return actor
 
 
-def tick_values(low, high):
-    """Round numbers inside [low, high], about five."""
-    raw = (high - low) / 5
-    power = 10.0 ** math.floor(math.log10(raw))
-    step = next(m * power for m in (1, 2, 2.5, 5, 10) if m * power >= raw * 0.999)
-    first = math.ceil(low / step - 1e-9)
-    return [i * step for i in range(first, int(math.floor(high / step + 1e-9)) + 1)]
-
-
-def colour_bar(colours, low, high):
-    bar = vtkScalarBarActor()
-    shown = vtkColorTransferFunction()  # the bar shows the range that occurs, not the symmetric one
-    shown.DeepCopy(colours)
-    shown.AdjustRange((low, high))
-    bar.SetLookupTable(shown)
-    bar.SetOrientationToHorizontal()
-    bar.SetMaximumNumberOfColors(512)
-    bar.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
-    bar.SetPosition(0.24, 0.052)
-    bar.SetWidth(0.52)
-    bar.SetHeight(0.052)
-    bar.SetBarRatio(0.45)
-    bar.SetTitle("")
-    bar.SetNumberOfLabels(0)
-    ticks = tick_values(low, high)
-    custom = vtkDoubleArray()
-    for value in ticks:
-        custom.InsertNextValue(value)
-    bar.SetCustomLabels(custom)
-    bar.UseCustomLabelsOn()
-    bar.SetLabelFormat("%.4g")
-    bar.UnconstrainedFontSizeOn()
-    style = bar.GetLabelTextProperty()
-    style.SetFontFamilyToArial()
-    style.SetFontSize(22)
-    style.SetColor(*INK)
-    style.ItalicOff()
-    style.BoldOff()
-    style.ShadowOff()
-    return bar
-
-
 def white_window():
     """White paper below, for views to stand on; text and colour bar go on a transparent layer above."""
     window = vtkRenderWindow()
@@ -426,7 +369,7 @@ def white_window():
 def draw(surface, field, title, beside):
     """The render window with everything in it."""
     low, high = colour_range(surface, field)
-    colours = colour_map(low, high)
+    colours = colour_map(low, high, field)
     window = white_window()
     for view in (main_view(surface, colours, beside), section_view(surface, colours, beside)):
         window.AddRenderer(view)
@@ -465,14 +408,14 @@ def main():
     parser = argparse.ArgumentParser(description="Draws a surface from a high-order VTU file into a PNG file.")
     parser.add_argument("vtu")
     parser.add_argument("png")
-    parser.add_argument("--field", default="mean_curvature_outward", help="scalar point field that gives the colours")
+    parser.add_argument("--field", default="", help="scalar point field that gives the colours")
     parser.add_argument("--title", default="")
     parser.add_argument("--beside", default="", help="VTU file of bodies to be drawn in grey")
     arguments = parser.parse_args()
     try:
         beside = facets_of(arguments.beside) if arguments.beside else None
-        surface = read_surface(arguments.vtu, arguments.field)
-        write_picture(draw(surface, arguments.field, arguments.title, beside), arguments.png)
+        surface, field = read_surface(arguments.vtu, arguments.field)
+        write_picture(draw(surface, field, arguments.title, beside), arguments.png)
     except CannotDraw as error:
         print(error, file=sys.stderr)
         sys.exit(1)

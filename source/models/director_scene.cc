@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/body_nodes.h>
-#include <pellicle/assembly/edge_frames.h>
-#include <pellicle/assembly/nodal_chart.h>
 #include <pellicle/discretization/point_walk.h>
 #include <pellicle/models/director_defects.h>
 #include <pellicle/models/director_scene.h>
@@ -13,7 +11,6 @@
 #include <pellicle/potentials/director/director_fields.h>
 #include <pellicle/potentials/dissipations/director_friction.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -21,57 +18,26 @@ namespace pellicle
 {
 namespace
 {
-constexpr const char *inclusion_edge = "inclusion";
-constexpr const char *outer_edge     = "outer rim";
-
 std::vector<std::size_t> all_nodes(const SurfaceDiscretization &surface)
 {
   std::vector<std::size_t> nodes(surface.n_nodes);
   std::iota(nodes.begin(), nodes.end(), 0);
   return nodes;
 }
-
-/** Directors at the rim of the inclusion: tilted outwards by the angle. */
-void tilt_at_edge(const SurfaceDiscretization &surface, const double angle, NodalVectors &directors)
-{
-  for (const EdgeLoop &loop : surface.edges)
-    if (loop.name == inclusion_edge)
-      for (const std::size_t node : loop.cell_nodes)
-      {
-        const double x = surface.positions[3 * node], y = surface.positions[3 * node + 1], r = std::hypot(x, y);
-        directors[3 * node]     = std::sin(angle) * x / r;
-        directors[3 * node + 1] = std::sin(angle) * y / r;
-        directors[3 * node + 2] = std::cos(angle);
-      }
-}
-/** Size of the cells at the inclusion: a fraction of the decay length of tilt, sqrt(K/k_t), or of the radius, whichever
- * is smaller; halved by each refinement; or what equal cells have. */
-double smallest_cell(const InclusionParameters &inclusion, const DirectorParameters &law, const StartShape &ring)
-{
-  constexpr double fraction = 0.6; // on the coarsest mesh
-  const double decay = std::sqrt(law.bending_modulus / law.tilt_modulus), cells = 1u << ring.refinements;
-  const double equal = (inclusion.outer_radius - inclusion.radius) / (ring.radial_cells * cells);
-  return std::min(equal, fraction * std::min(decay, inclusion.radius) / cells);
-}
 } // namespace
 
 void CarrierParameters::bind(ParameterSection &section)
 {
-  section.choice("Shape", shape, {"vesicle", "inclusion"},
+  std::vector<std::string> shapes{"vesicle"};
+  shapes.insert(shapes.end(), inclusion_shape_names().begin(), inclusion_shape_names().end());
+  section.choice("Shape", shape, shapes,
                  "The surface that carries the directors. vesicle: the start shape of section Vesicle, closed or open. "
-                 "inclusion: a flat membrane around a disc, of section Inclusion.");
+                 "inclusion: a flat membrane around a disc, of section Inclusion. two inclusions: the same around two "
+                 "of them, in space. inclusion on vesicle: a sphere of Vesicle/Area around an inclusion at its lowest "
+                 "point.");
   section.choice("Motion", motion, {"free", "held"},
                  "free: the surface takes the shape of least energy. held: it stays as it starts, only the directors "
                  "are solved for.");
-}
-
-void InclusionParameters::bind(ParameterSection &section)
-{
-  section.number("Radius", radius, Range::positive(), dimensions::length, "Radius a of the inclusion.");
-  section.number("Outer radius", outer_radius, Range::positive(), dimensions::length,
-                 "Radius b of the membrane; there the directors are along its normal.");
-  section.number("Edge tilt", edge_tilt, Range::between(-1.5, 1.5), dimensions::none,
-                 "Angle in radians by which the directors at the inclusion are tilted outwards from the normal.");
 }
 
 void DirectorFieldParameters::bind(ParameterSection &section)
@@ -108,8 +74,10 @@ void DirectorScene::check() const
   if (find<DirectorEffect>() == nullptr)
     throw UserError("The list Effects has no 'director': this application solves for directors. Add it, or use the "
                     "application 'vesicle'.");
-  if (has_inclusion() && !(inclusion.outer_radius > inclusion.radius))
-    throw UserError("Inclusion/Outer radius must be larger than Inclusion/Radius.");
+  inclusion.check(carrier.shape, mesh.symmetry);
+  if (has_inclusion() && std::isinf(find<DirectorEffect>()->parameters.tilt_modulus))
+    throw UserError("Director/Tilt modulus = inf: directors that stay normal cannot be tilted at an inclusion. Take a "
+                    "finite modulus, or Surface/Shape = vesicle.");
   VesicleScene::check();
   check_time();
 }
@@ -134,6 +102,12 @@ void DirectorScene::check_time() const
     refuse_index_2();
 }
 
+void DirectorScene::set_targets(const Scales &scales, SceneTargets &targets) const
+{
+  VesicleScene::set_targets(scales, targets);
+  targets.surface_is_held = is_held();
+}
+
 bool DirectorScene::is_fixed(const std::string &parameter) const
 {
   for (const char *section : {"Surface/", "Inclusion/", "Director field/", "Time/"})
@@ -144,37 +118,22 @@ bool DirectorScene::is_fixed(const std::string &parameter) const
 
 double DirectorScene::own_length() const
 {
-  return has_inclusion() ? inclusion.radius : VesicleScene::own_length();
+  return has_inclusion() && carrier.shape != "inclusion on vesicle" ? inclusion.radius : VesicleScene::own_length();
 }
 
-SurfaceDiscretization DirectorScene::bare_mesh() const
+InclusionMembrane DirectorScene::around_inclusions() const
 {
-  if (!has_inclusion())
-    return VesicleScene::start_mesh();
-  StartShape ring            = start_shape();
-  ring.name                  = "annulus";
-  ring.inner_radius          = inclusion.radius;
-  ring.outer_radius          = inclusion.outer_radius;
-  ring.smallest_cell         = smallest_cell(inclusion, find<DirectorEffect>()->parameters, ring);
-  SurfaceDiscretization mesh = make_start_shape(ring);
-  mesh.edges[0].name         = inclusion_edge;
-  mesh.edges[1].name         = outer_edge;
-  return mesh;
+  const DirectorParameters &law = find<DirectorEffect>()->parameters;
+  return {carrier.shape, inclusion, std::sqrt(law.bending_modulus / law.tilt_modulus)};
 }
 
 SurfaceDiscretization DirectorScene::start_mesh() const
 {
-  SurfaceDiscretization mesh = bare_mesh();
+  SurfaceDiscretization mesh = has_inclusion() ? around_inclusions().mesh(start_shape()) : VesicleScene::start_mesh();
   NodalVectors directors     = start_directors(mesh, field.start, field.angle);
   add_director_noise(mesh, field.noise, field.random_seed, directors);
   if (has_inclusion())
-  {
-    const NodalVectors normals = nodal_normals(mesh, mesh.positions);
-    for (const EdgeLoop &loop : mesh.edges)
-      for (const std::size_t node : loop.cell_nodes)
-        std::copy_n(&normals[3 * node], 3, &directors[3 * node]);
-    tilt_at_edge(mesh, inclusion.edge_tilt, directors);
-  }
+    around_inclusions().tilt(mesh, start_shape(), directors);
   mesh.start_values[std::string(director)] = std::move(directors);
   return mesh;
 }
@@ -190,7 +149,12 @@ DirectorScene::rim_conormals(const SurfaceDiscretization &start) const
 std::vector<SceneEdge> DirectorScene::edges() const
 {
   if (has_inclusion())
-    return {{inclusion_edge, EdgeSupport::hinged}, {outer_edge, EdgeSupport::hinged}};
+  {
+    std::vector<SceneEdge> rims;
+    for (const std::string &name : around_inclusions().rims())
+      rims.push_back({name, EdgeSupport::hinged});
+    return rims;
+  }
   return VesicleScene::edges();
 }
 

@@ -48,7 +48,7 @@ const std::vector<StartField> &start_fields_of_directors()
          const double s        = angle * norm(along);
          return std::cos(s) * n + std::sin(s) * unit_or(along, Direction());
        }},
-      {"meridional", true, [](const Direction &n, double) { return unit_or(e_z - n[2] * n, n); }},
+      {"meridional", true, [](const Direction &n, double) { return unit_or(e_z - n[2] * n, e_z); }},
       {"azimuthal", false, [](const Direction &n, double) { return unit_or(cross(e_z, n), n); }},
   };
   return fields;

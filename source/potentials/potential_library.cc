@@ -6,6 +6,7 @@
 #include <pellicle/potentials/constraints/total_area.h>
 #include <pellicle/potentials/contact/contact_effect.h>
 #include <pellicle/potentials/director/director_effect.h>
+#include <pellicle/potentials/director/in_plane_directors.h>
 #include <pellicle/potentials/director/spontaneous_curvature_effect.h>
 #include <pellicle/potentials/dissipations/director_friction.h>
 #include <pellicle/potentials/edges/gaussian_curvature.h>
@@ -87,6 +88,7 @@ EffectLibrary director_effects()
   EffectLibrary library = standard_effects();
   library.add("director", [] { return std::make_unique<DirectorEffect>(); });
   library.add("spontaneous director curvature", [] { return std::make_unique<SpontaneousDirectorCurvatureEffect>(); });
+  library.add("in-plane directors", [] { return std::make_unique<InPlaneDirectorsEffect>(); });
   library.add("director friction", [] { return std::make_unique<DirectorFrictionEffect>(); });
   library.add("cosserat shell", [] { return std::make_unique<CosseratShellEffect>(); });
   library.add("dead load", [] { return std::make_unique<DeadLoadEffect>(); });

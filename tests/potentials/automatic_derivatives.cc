@@ -3,6 +3,7 @@
 #include <pellicle/potentials/constraints/enclosed_volume.h>
 #include <pellicle/potentials/constraints/total_area.h>
 #include <pellicle/potentials/density_potential.h>
+#include <pellicle/potentials/director/in_plane_directors.h>
 #include <pellicle/potentials/director/director_gradient.h>
 #include <pellicle/potentials/director/spontaneous_director_curvature.h>
 #include <pellicle/potentials/director/tilt_energy.h>
@@ -108,6 +109,7 @@ TEST(AutomaticDerivatives, Directors)
   const auto direct = std::make_shared<const std::vector<double>>(1, 0.7);
   compare(DirectorGradientEnergy{1.3});
   compare(TiltEnergy{2.1});
+  compare(NormalDirectorEnergy{1.7});
   compare(MixedTiltEnergy{2.1, direct});
   compare(SpontaneousDirectorCurvature{0.3, -0.7, 1.1, 0.6});
   compare(MixedTiltEnergy{std::numeric_limits<double>::infinity(), direct});

@@ -2,7 +2,9 @@
 // The effects of directors: what they contribute, in which units, and what they refuse.
 #include "expect_user_error.h"
 
+#include <pellicle/potentials/density_potential.h>
 #include <pellicle/potentials/director/director_effect.h>
+#include <pellicle/potentials/director/in_plane_directors.h>
 #include <pellicle/potentials/director/spontaneous_curvature_effect.h>
 #include <pellicle/potentials/director/tilt_energy.h>
 #include <pellicle/potentials/potential_library.h>
@@ -159,6 +161,31 @@ TEST(DirectorEffects, DerivativesWithRespectToParameters)
   compare_derivative("Director/Tilt modulus", director, curvature, 1., 3., tilt_modulus);
   compare_derivative("Spontaneous director curvature/Spontaneous curvature", director, curvature, 1., 0.7,
                      [&](const double p) { curvature.parameters.spontaneous_curvature = p; });
+}
+
+// In the place of the tilt, with nothing left of it, not even the fields of the mixed form.
+TEST(DirectorEffects, InPlaneDirectors)
+{
+  const Scales scales{0.2, 5.};
+  DirectorEffect director;
+  director.parameters = {0., 4., 0., "mixed"};
+  InPlaneDirectorsEffect in_plane;
+  in_plane.parameters.modulus = 3.;
+  const PotentialSet set      = contributions(scales, {&director, &in_plane}, targets_with(1.));
+  ASSERT_EQ(set.energies.size(), 2u);
+  EXPECT_EQ(set.energies[0]->name(), "director gradient");
+  EXPECT_EQ(set.energies[1]->name(), "normal director");
+  for (const auto &energy : set.energies)
+    EXPECT_EQ(energy->fields().size(), 2u);
+  EXPECT_TRUE(director.derivatives(scales, targets_with(1.)).empty());
+
+  const DensityPotential<NormalDirectorEnergy> expected("", NormalDirectorEnergy{3. * 0.04 / 5.});
+  EXPECT_DOUBLE_EQ(value_at_a_point(*set.energies[1]), value_at_a_point(expected));
+  const auto derivatives = in_plane.derivatives(scales, targets_with(1.));
+  ASSERT_EQ(derivatives.size(), 1u);
+  EXPECT_EQ(derivatives[0].parameter, "In-plane directors/Modulus");
+  EXPECT_NEAR(value_at_a_point(*derivatives[0].energy), value_at_a_point(expected) / 3., 1e-15);
+  EXPECT_USER_ERROR(contributions(scales, {&in_plane}, SceneTargets{}), "add 'director' to Effects");
 }
 
 TEST(DirectorEffects, WhatIsRefused)

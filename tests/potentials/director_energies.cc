@@ -5,6 +5,7 @@
 #include <pellicle/base/constants.h>
 #include <pellicle/potentials/density_potential.h>
 #include <pellicle/potentials/director/director_gradient.h>
+#include <pellicle/potentials/director/in_plane_directors.h>
 #include <pellicle/potentials/director/spontaneous_director_curvature.h>
 #include <pellicle/potentials/director/tilt_energy.h>
 
@@ -103,6 +104,7 @@ TEST(DirectorEnergies, WaveOnThePlane)
       {0.5 * g * c, 0., -0.5 * g * s}};
   const double J = 2.;
   EXPECT_NEAR(value(TiltEnergy{law.tilt_modulus}, slots), J * 0.5 * law.tilt_modulus * s * s, 1e-14);
+  EXPECT_NEAR(value(NormalDirectorEnergy{law.tilt_modulus}, slots), J * 0.5 * law.tilt_modulus * c * c, 1e-14);
   EXPECT_NEAR(value(DirectorGradientEnergy{law.bending_modulus}, slots), J * 0.5 * law.bending_modulus * g * g, 1e-14);
   EXPECT_NEAR(null_value(slots), 0., 1e-14);
   const double two_mu_1 = law.bending_modulus, two_mu_2 = law.null_modulus();

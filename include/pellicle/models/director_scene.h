@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/models/inclusions.h>
 #include <pellicle/models/vesicle_scene.h>
 
 #include <string>
@@ -17,16 +18,6 @@ struct CarrierParameters
   void bind(ParameterSection &section);
 };
 
-/** Section "Inclusion": a rigid disc in a membrane that starts flat, in the user's units. */
-struct InclusionParameters
-{
-  double radius       = 1.;
-  double outer_radius = 20.;
-  double edge_tilt    = 0.5;
-
-  void bind(ParameterSection &section);
-};
-
 /** Section "Director field": directors at the start, and what holds them at rims. */
 struct DirectorFieldParameters
 {
@@ -39,7 +30,7 @@ struct DirectorFieldParameters
   void bind(ParameterSection &section);
 };
 
-/** A membrane with directors: a vesicle, an open membrane, or a flat one around an inclusion; held or free to move. */
+/** A membrane with directors: a vesicle, an open membrane, or one around inclusions; held or free to move. */
 class DirectorScene : public VesicleScene
 {
 public:
@@ -61,12 +52,13 @@ protected:
   void add_own_sections(std::vector<ParameterSection> &all) override;
   void add_further_sections(std::vector<ParameterSection> &all) override;
   double own_length() const override;
+  void set_targets(const Scales &scales, SceneTargets &targets) const override;
   bool is_fixed(const std::string &parameter) const override;
 
 private:
-  bool has_inclusion() const { return carrier.shape == "inclusion"; }
+  bool has_inclusion() const { return has_inclusions(carrier.shape); }
   bool is_held() const { return carrier.motion == "held"; }
   void check_time() const;
-  SurfaceDiscretization bare_mesh() const;
+  InclusionMembrane around_inclusions() const;
 };
 } // namespace pellicle

@@ -19,7 +19,7 @@ const std::vector<std::string> &director_start_names();
  * | normal       | n                                                                                       |
  * | turned       | Q n, Q the rotation about z by `angle`                                                  |
  * | towards z    | n cos(angle s) + t sin(angle s), t s = (I - n n) e_z: on a sphere a mode l = 1           |
- * | meridional   | t, in the plane of the surface (n where that plane is horizontal)                        |
+ * | meridional   | t, in the plane of the surface (e_z where that plane is horizontal)                      |
  * | azimuthal    | e_z x n/|e_z x n|, in the plane of the surface (n where that plane is horizontal)        |
  *
  * On a meridian only directors in its plane are possible. Throws UserError for a name that is not known, and for

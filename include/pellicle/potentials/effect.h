@@ -126,6 +126,8 @@ struct SceneTargets
   std::optional<ShellTargets> shell = std::nullopt;
   /** The same for effects that need one. Throws UserError if the scene has none. */
   const ShellTargets &shell_targets() const;
+  /** Whether the surface keeps the shape it starts with. */
+  bool surface_is_held = false;
   /** Squared distance of neighbouring nodes on the start shape, at every quadrature point: a cell's area over k^2. Null
    * while a scene is only checked. */
   std::shared_ptr<const std::vector<double>> cell_sizes = nullptr;

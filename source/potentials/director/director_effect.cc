@@ -14,10 +14,11 @@ namespace
 {
 const std::string tilt_energy = "tilt", gradient_energy = "director gradient";
 
-/** c of k_0 = min(c K/h^2, k_t/2): of those that were tried the most accurate (doc/numerics.md, "Directors"). */
-constexpr double direct_share = 0.1;
+/** c and d of k_0 = min(c K/h^2, d k_t). On a surface that is held small shares are the most accurate; one that moves
+ * needs k_0 above its (negative) tension, or cells wrinkle (doc/numerics.md, "Directors"). */
+constexpr double share_if_held = 0.1, share_if_free = 1., largest_share = 0.9;
 
-/** Derivative of MixedTiltEnergy with respect to k_t, of which k_0 = k_t/2 takes its half where it is not bounded by
+/** Derivative of MixedTiltEnergy with respect to k_t, of which k_0 = d k_t takes its part where it is not bounded by
  * the cell's size. */
 struct MixedTiltDerivative
 {
@@ -32,9 +33,9 @@ struct MixedTiltDerivative
   Number density(const PointInputs<Number, 3> &inputs, const PointData &data) const
   {
     const double k_0 = (*direct)[data.index], k_t = tilt_modulus;
-    const bool is_half    = k_0 >= 0.5 * k_t;
-    const double k_0_rate = factor * (is_half ? 0.5 : 0.), t_rate = factor * (is_half ? 0. : k_0 / (k_t * k_t));
-    const double compliance_rate = factor * (is_half ? -0.5 : 2. * k_0 / k_t - 1.) / (k_t * k_t); // of t/k_t
+    const bool is_share   = k_0 >= largest_share * k_t; // of k_t, else of the cell's size
+    const double k_0_rate = factor * (is_share ? largest_share : 0.), t_rate = factor * (is_share ? 0. : k_0 / (k_t * k_t));
+    const double compliance_rate = factor * (is_share ? largest_share - 1. : 2. * k_0 / k_t - 1.) / (k_t * k_t); // of t/k_t
     const double normal_rate     = -MixedTiltEnergy::normal_weight * k_0_rate / (k_0 * k_0);
     TangentialForm<2> rate;
     rate.alpha = {{{k_0_rate, t_rate}, {t_rate, -compliance_rate}}};
@@ -46,9 +47,9 @@ struct MixedTiltDerivative
 
 void DirectorParameters::bind(ParameterSection &section)
 {
-  section.number("Tilt modulus", tilt_modulus, Range::positive().or_infinite(), dimensions::tension,
+  section.number("Tilt modulus", tilt_modulus, Range::non_negative().or_infinite(), dimensions::tension,
                  "Tilt modulus k_t in (k_t/2) |O - (O.n) n|^2 per area. inf: the directors stay normal, and the model "
-                 "is that of Helfrich with bending rigidity K.");
+                 "is that of Helfrich with bending rigidity K. 0: no energy of tilt.");
   section.number("Bending modulus", bending_modulus, Range::positive(), dimensions::energy,
                  "Bending modulus K = k_1 + eps_1 in (K/2) |grad O|^2 per area.");
   section.number(
@@ -95,10 +96,11 @@ void DirectorEffect::prepare(const Scales &scales, SceneTargets &targets) const
 void DirectorEffect::contribute(const Scales & /*scales*/, const SceneTargets &targets, PotentialSet &set) const
 {
   const DirectorLaw &law = targets.director_law();
-  if (parameters.shear == "mixed")
+  const bool is_held     = law.tilt_modulus > 0.;
+  if (is_held && parameters.shear == "mixed")
     set.energies.push_back(std::make_shared<DensityPotential<MixedTiltEnergy>>(
         tilt_energy, MixedTiltEnergy{law.tilt_modulus, direct_tilt_modulus(law, targets)}));
-  else
+  else if (is_held)
     set.energies.push_back(std::make_shared<DensityPotential<TiltEnergy>>(tilt_energy, TiltEnergy{law.tilt_modulus}));
   set.energies.push_back(std::make_shared<DensityPotential<DirectorGradientEnergy>>(
       gradient_energy, DirectorGradientEnergy{law.bending_modulus}));
@@ -106,7 +108,7 @@ void DirectorEffect::contribute(const Scales & /*scales*/, const SceneTargets &t
 
 std::vector<ParameterDerivative> DirectorEffect::derivatives(const Scales &scales, const SceneTargets &targets) const
 {
-  if (std::isinf(parameters.tilt_modulus))
+  if (std::isinf(parameters.tilt_modulus) || parameters.tilt_modulus == 0.)
     return {};
   const double per_unit = 1. / scales.of(dimensions::tension);
   std::shared_ptr<const Potential> energy;
@@ -128,8 +130,9 @@ std::shared_ptr<const std::vector<double>> direct_tilt_modulus(const DirectorLaw
     return nullptr;
   auto direct = std::make_shared<std::vector<double>>();
   direct->reserve(targets.cell_sizes->size());
+  const double share = targets.surface_is_held ? share_if_held : share_if_free;
   for (const double h_squared : *targets.cell_sizes)
-    direct->push_back(std::min(direct_share * law.bending_modulus / h_squared, 0.5 * law.tilt_modulus));
+    direct->push_back(std::min(share * law.bending_modulus / h_squared, largest_share * law.tilt_modulus));
   return direct;
 }
 
