@@ -105,6 +105,8 @@ void DirectorScene::check_time() const
 void DirectorScene::set_targets(const Scales &scales, SceneTargets &targets) const
 {
   VesicleScene::set_targets(scales, targets);
+  if (has_inclusion())
+    targets.area = around_inclusions().area(vesicle.area) / scales.of(dimensions::area);
   targets.surface_is_held = is_held();
 }
 
@@ -118,7 +120,7 @@ bool DirectorScene::is_fixed(const std::string &parameter) const
 
 double DirectorScene::own_length() const
 {
-  return has_inclusion() && carrier.shape != "inclusion on vesicle" ? inclusion.radius : VesicleScene::own_length();
+  return has_inclusion() && around_inclusions().is_flat() ? inclusion.radius : VesicleScene::own_length();
 }
 
 InclusionMembrane DirectorScene::around_inclusions() const

@@ -26,6 +26,12 @@ double sphere_radius(const double area)
   return std::sqrt(area / (4. * pi));
 }
 
+/** Of a sphere of the given area. */
+double area_outside_cap(const double area, const double polar_angle)
+{
+  return area * 0.5 * (1. + std::cos(polar_angle));
+}
+
 Direction unit_or_zero(const Direction &v)
 {
   constexpr double tiny = 1e-10;
@@ -111,7 +117,7 @@ SurfaceDiscretization sphere_mesh(const InclusionParameters &p, const double sho
 {
   const double angle = pi - p.polar_angle, n_cells = 4u << base.refinements;
   const double first = smallest_cell(shortest, angle * sphere_radius(base.area), 4, base.refinements);
-  return cap(angle, base.area * 0.5 * (1. + std::cos(p.polar_angle)), base.degree, base.refinements + 1, base.axial,
+  return cap(angle, area_outside_cap(base.area, p.polar_angle), base.degree, base.refinements + 1, base.axial,
              growth_of_cap(angle, first / sphere_radius(base.area), n_cells));
 }
 
@@ -170,6 +176,11 @@ bool has_inclusions(const std::string &shape)
   return std::find(names.begin(), names.end(), shape) != names.end();
 }
 
+bool InclusionMembrane::is_flat() const
+{
+  return shape != on_sphere;
+}
+
 std::vector<std::string> InclusionMembrane::rims() const
 {
   if (shape == on_ring)
@@ -177,6 +188,14 @@ std::vector<std::string> InclusionMembrane::rims() const
   if (shape == on_disc)
     return {"first inclusion", "second inclusion", "outer rim"};
   return {"inclusion"};
+}
+
+double InclusionMembrane::area(const double sphere_area) const
+{
+  if (!is_flat())
+    return area_outside_cap(sphere_area, discs.polar_angle);
+  const double n_discs = shape == on_ring ? 1. : 2.;
+  return pi * (discs.outer_radius * discs.outer_radius - n_discs * discs.radius * discs.radius);
 }
 
 SurfaceDiscretization InclusionMembrane::mesh(const StartShape &base) const

@@ -126,8 +126,9 @@ void VesicleScene::check() const
         throw UserError(std::string("The analysis 'phase diagram' varies the reduced volume of a vesicle: add '") +
                         needed + "' to Effects.");
   }
-  const bool free_rim = vesicle.rim == "free" && !has_effect("tether") && !has_effect("lipid domain");
-  if (!edges().empty() && free_rim && has_effect("pressure"))
+  const std::vector<SceneEdge> rims = edges();
+  const auto is_free                = [](const SceneEdge &edge) { return edge.support == EdgeSupport::free; };
+  if (std::any_of(rims.begin(), rims.end(), is_free) && has_effect("pressure"))
     throw UserError(
         "The effect 'pressure' needs a volume, which a surface with a free rim does not have: set Vesicle/Rim "
         "to hinged or clamped.");

@@ -87,6 +87,61 @@ class Scenes(DirectorRuns):
         self.assert_within(q["total_energy"], 12.524504229908, 5e-7)
 
 
+class FreeSurfaces(DirectorRuns):
+    """Membranes whose rims at inclusions are held, the rest is free."""
+
+    PRESSED = ("Surface/Motion=free", "Effects=director, area constraint, pressure", "Pressure/Pressure=0.1")
+    TENSE = ("Surface/Motion=free", "Effects=director, surface tension", "Surface tension/Surface tension=0.1")
+
+    def solve_free(self, scene, *assignments, **keywords):
+        run = self.solve(SCENES / f"{scene}.prm", *assignments, **keywords)
+        self.assertEqual(run.summary["warnings"], [])
+        self.assertLessEqual(run.summary["newton"]["iterations"], 8)
+        return run.quantities
+
+    def test_inclusion_on_vesicle(self):
+        """Without tilt a sphere with P = 2 sigma/R. With it the vesicle gives way: less energy than held."""
+        q = self.solve_free("inclusion_on_vesicle", *self.PRESSED, "Inclusion/Edge tilt=0")
+        self.assert_within(q["tension"], 0.25, 1e-7)
+        self.assert_within(q["height"], 5 * (1 + math.cos(0.2)), 1e-5)
+        self.assert_within(q["area"], 50 * math.pi * (1 + math.cos(0.2)), 1e-9)
+        self.assert_within(q["total_energy"] - q["pressure_energy"], 2 * math.pi * (1 + math.cos(0.2)), 1e-6)
+        sphere = q["pressure_energy"]
+        for tilt, held in ((0.3, 12.524504229908), (-0.3, 13.283022195940)):
+            axial = self.solve_free("inclusion_on_vesicle", *self.PRESSED, f"Inclusion/Edge tilt={tilt}", name="axial")["total_energy"]
+            self.assertLess(axial, held + sphere)
+            space = self.solve_free("inclusion_on_vesicle", *self.PRESSED, f"Inclusion/Edge tilt={tilt}", "Mesh/Symmetry=none",
+                                    "Mesh/Refinements=1", name="space")["total_energy"]
+            self.assert_within(space, axial, 5e-5)
+
+    def test_flat_membrane_under_tension(self):
+        """The membrane bends towards the directors, which are held where they stand."""
+        axial = self.solve_free("inclusion", *self.TENSE)["total_energy"]
+        self.assertLess(axial, 39.9 * math.pi + 1.3141297247384)
+        space = self.solve_free("inclusion", *self.TENSE, "Mesh/Symmetry=none", "Mesh/Refinements=1", name="space")["total_energy"]
+        self.assert_within(space, axial, 1e-7)
+
+    def test_vesicles_with_tilt(self):
+        """Prolate of reduced volume .9, oblate of .65: an independent axisymmetric solution (1e-12)."""
+        scene = self.write("vesicle.prm", """set Effects = director, area constraint, volume constraint
+subsection Mesh
+  set Symmetry    = axial
+  set Refinements = 3
+end
+""")
+        rows = [("prolate", 0.9, 10, 16.488156498235, -10.1245823114), ("prolate", 0.9, 1000, 17.323171072674, -11.3346993918),
+                ("prolate", 0.9, "inf", 17.332645017521, -11.3452614194), ("oblate", 0.65, 100, 32.075226684926, -14.4034207106)]
+        for shape, volume, modulus, energy, pressure in rows:
+            with self.subTest(shape=shape, modulus=modulus):
+                run = self.solve(scene, f"Vesicle/Start shape={shape}", f"Vesicle/Reduced volume={volume}", f"Director/Tilt modulus={modulus}")
+                self.assert_within(run.quantities["total_energy"], energy, 1e-7)
+                self.assert_within(run.quantities["pressure"], pressure, 1e-6)
+                self.assertLessEqual(run.summary["newton"]["iterations"], 8)
+        run = self.solve(scene, "Vesicle/Start shape=oblate", "Vesicle/Reduced volume=0.65", "Director/Tilt modulus=100",
+                         "Load/Parameter=Director/Tilt modulus", "Load/To=10", "Load/Steps=3", name="load")
+        self.assert_within(run.quantities["total_energy"], 25.097939656235, 1e-7)
+
+
 class Variations(DirectorRuns):
     def test_noise(self):
         """From 5 % noise to the same energy."""

@@ -37,8 +37,13 @@ struct InclusionMembrane
   InclusionParameters discs;
   double decay_length = 1.; ///< of tilt, sqrt(K/k_t)
 
+  bool is_flat() const;
+
   /** Rims of the mesh: those at inclusions first, then the outer one. */
   std::vector<std::string> rims() const;
+
+  /** Of the membrane, without inclusions. sphere_area: with the part that is cut away. */
+  double area(double sphere_area) const;
 
   /**
    * A flat ring, a flat disc with two holes, or a sphere of area `base.area` (the part cut away included) without the
