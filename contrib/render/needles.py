@@ -9,7 +9,8 @@ from vtkmodules.vtkFiltersCore import vtkGlyph3D
 from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
-INK = (0.13, 0.14, 0.17)
+from colours import INK
+
 SLENDERNESS = 0.09  # radius over length
 
 
@@ -30,15 +31,14 @@ def spread(points, distance):
     return taken
 
 
-def needles(surface, distance):
-    """Needles for the point field `director` of a surface, or of a line on it, about `distance` apart; none if it has no
-    such field. They begin on the surface; those that lie in it do not sink into it."""
+def needles(surface, distance, lift):
+    """Needles for the point field `director` of a surface, or of a line on it, about `distance` apart; none if it has
+    no such field. They begin at a height `lift`, so that those that lie in the surface do not sink into it."""
     directors, normals = surface.GetPointData().GetArray("director"), surface.GetPointData().GetNormals()
     if directors is None:
         return None
     places, vectors = vtkPoints(), vtkFloatArray()
     vectors.SetNumberOfComponents(3)
-    lift = SLENDERNESS * distance
     for i in spread(surface, distance):
         n = normals.GetTuple(i) if normals is not None else (0, 0, 0)
         places.InsertNextPoint(*(x + lift * c for x, c in zip(surface.GetPoint(i), n)))

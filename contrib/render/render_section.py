@@ -14,8 +14,9 @@ import math
 import os
 import sys
 
-from render_surface import (INK, CannotDraw, all_closed, box_of, colour_bar, colour_map, colour_range, coloured_actor, fill_view,
-                            grey_actor, text, view_aspect, white_window, write_picture)
+from render_surface import all_closed, box_of, coloured_actor, fill_view, grey_actor, text, view_aspect, white_window, write_picture
+
+from colours import INK, CannotDraw, colour_bar, colour_map, colour_range
 
 try:
     from vtkmodules.vtkCommonCore import reference, vtkDoubleArray, vtkPoints

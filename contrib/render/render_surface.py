@@ -20,38 +20,31 @@ import sys
 try:
     import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws text)
     import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws everything else)
-    from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkOutputWindow
+    from vtkmodules.vtkCommonCore import vtkOutputWindow
     from vtkmodules.vtkCommonDataModel import vtkPlane
     from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
-    from vtkmodules.vtkFiltersCore import (vtkArrayCalculator, vtkCutter, vtkMassProperties, vtkPointDataToCellData, vtkPolyDataNormals,
+    from vtkmodules.vtkFiltersCore import (vtkArrayCalculator, vtkCutter, vtkMassProperties, vtkPolyDataNormals,
                                            vtkStaticCleanPolyData, vtkStripper, vtkTriangleFilter, vtkTubeFilter)
     from vtkmodules.vtkFiltersGeneral import vtkContourTriangulator
     from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
-    from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
     from vtkmodules.vtkIOImage import vtkPNGWriter
     from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
-    from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-    from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper,
+    from vtkmodules.vtkRenderingCore import (vtkActor, vtkLight, vtkPolyDataMapper,
                                              vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter)
+
+    from colours import CONSTANT, INK, CannotDraw, colour_bar, colour_map, colour_range, percentiles
+    from needles import needle_actor, needles
 except ImportError as error:
     print(f"VTK for Python is missing ({error}; on Debian: apt-get install python3-vtk9).", file=sys.stderr)
     sys.exit(3)
 
-from needles import needle_actor, needles
-
 WIDTH, HEIGHT = 1400, 1050
 MAIN_VIEW = (0.0, 0.16, 0.68, 0.92)  # left, bottom, right, top as parts of the picture
 SECTION_VIEW = (0.68, 0.30, 1.0, 0.84)
-INK = (0.13, 0.14, 0.17)
 STONE = (0.55, 0.56, 0.58)
 TITLES = {"mean_curvature_outward": "Mean curvature (positive on a sphere)", "gauss_curvature": "Gauss curvature",
           "tilt_length": "Tilt, the length of the directors' tangential part"}
-CONSTANT = 0.1  # part of the largest value by which a field that counts as constant may vary
 NEEDLES = 28  # along the side of a square of the surface's area
-
-
-class CannotDraw(Exception):
-    """The message is for the user."""
 
 
 def read_surface(path, field):
@@ -113,66 +106,6 @@ def chosen_field(surface):
     low, high = percentiles(surface, curvature)
     size = max(box_of(surface)[1])
     return "tilt_length" if high - low < CONSTANT * max(abs(low), abs(high), 0.1 / size) else curvature
-
-
-def percentiles(surface, field):
-    """The 1st and 99th percentile by area."""
-    sizes = vtkCellSizeFilter()
-    sizes.SetInputData(surface)
-    sizes.ComputeLengthOff()
-    sizes.ComputeVolumeOff()
-    sizes.ComputeVertexCountOff()
-    cells = vtkPointDataToCellData()
-    cells.SetInputConnection(sizes.GetOutputPort())
-    cells.Update()
-    values, areas = cells.GetOutput().GetCellData().GetArray(field), cells.GetOutput().GetCellData().GetArray("Area")
-    pairs = sorted((values.GetValue(i), areas.GetValue(i)) for i in range(values.GetNumberOfTuples())
-                   if math.isfinite(values.GetValue(i)))
-    if not pairs:
-        raise CannotDraw(f"the field '{field}' has no finite value.")
-    total, below, low, high = sum(area for _, area in pairs), 0.0, pairs[0][0], pairs[-1][0]
-    for value, area in pairs:
-        if below <= 0.01 * total:
-            low = value
-        if below <= 0.99 * total:
-            high = value
-        below += area
-    return low, high
-
-
-def colour_range(surface, field):
-    """Percentiles: single nodes that stick out do not bleach the rest."""
-    low, high = percentiles(surface, field)
-    if field == "tilt_length":
-        return 0, max(high, 0.01)
-    # A constant field stays one colour instead of showing its round-off.
-    least = CONSTANT * max(abs(low), abs(high)) or 1.0
-    if high - low < least:
-        low, high = (low + high - least) / 2, (low + high + least) / 2
-    return low, high
-
-
-def colour_map(low, high):
-    """Diverging about zero (blue inward, red outward) where the field has both signs, else from dark to bright."""
-    colours = vtkColorTransferFunction()
-    colours.SetNanColor(0.6, 0.6, 0.6)
-    colours.SetColorSpaceToLab()
-    if low < 0 < high:
-        extreme = max(-low, high)
-        blues = [(0.10, 0.24, 0.56), (0.17, 0.44, 0.73), (0.36, 0.64, 0.83), (0.66, 0.82, 0.90)]
-        reds = [(0.62, 0.03, 0.16), (0.80, 0.20, 0.20), (0.90, 0.44, 0.34), (0.96, 0.70, 0.58)]
-        for i in range(4):
-            colours.AddRGBPoint(-extreme * (1 - i / 4), *blues[i])
-            colours.AddRGBPoint(extreme * (1 - i / 4), *reds[i])
-        colours.AddRGBPoint(0.0, 0.93, 0.92, 0.91)
-    else:
-        # Viridis without its darkest part, which shading would turn to black.
-        steps = [(0.254, 0.265, 0.530), (0.207, 0.372, 0.553), (0.164, 0.471, 0.558), (0.128, 0.567, 0.551),
-                 (0.135, 0.659, 0.518), (0.267, 0.749, 0.441), (0.478, 0.821, 0.318), (0.741, 0.873, 0.150),
-                 (0.993, 0.906, 0.144)]
-        for i, step in enumerate(steps):
-            colours.AddRGBPoint(low + (high - low) * i / (len(steps) - 1), *step)
-    return colours
 
 
 def coloured_actor(algorithm, colours):
@@ -261,7 +194,8 @@ def main_view(surface, colours, beside):
     look.SetSpecularPower(28)
     renderer.AddActor(actor)
     drawn = [surface] if beside is None else [surface, beside]
-    directors = needles(surface, needle_distance(surface))
+    distance = needle_distance(surface)
+    directors = needles(surface, distance, 0.09 * distance)
     if directors is not None:
         renderer.AddActor(needle_actor(directors))
         drawn.append(directors)
@@ -377,6 +311,10 @@ def section_view(surface, colours, beside):
     outline.GetProperty().LightingOff()
     renderer.AddActor(outline)
 
+    directors = needles(lines.GetOutput(), 0.09 * half_height, 0.015 * half_height)
+    if directors is not None:
+        renderer.AddActor(needle_actor(directors))
+
     if beside is not None:
         through = vtkCutter()
         through.SetInputData(beside)
@@ -415,48 +353,6 @@ def text(content, x, y, size, bold=False):
     return actor
 
 
-def tick_values(low, high):
-    """Round numbers inside [low, high], about five."""
-    raw = (high - low) / 5
-    power = 10.0 ** math.floor(math.log10(raw))
-    step = next(m * power for m in (1, 2, 2.5, 5, 10) if m * power >= raw * 0.999)
-    first = math.ceil(low / step - 1e-9)
-    return [i * step for i in range(first, int(math.floor(high / step + 1e-9)) + 1)]
-
-
-def colour_bar(colours, low, high):
-    bar = vtkScalarBarActor()
-    shown = vtkColorTransferFunction()  # the bar shows the range that occurs, not the symmetric one
-    shown.DeepCopy(colours)
-    shown.AdjustRange((low, high))
-    bar.SetLookupTable(shown)
-    bar.SetOrientationToHorizontal()
-    bar.SetMaximumNumberOfColors(512)
-    bar.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
-    bar.SetPosition(0.24, 0.052)
-    bar.SetWidth(0.52)
-    bar.SetHeight(0.052)
-    bar.SetBarRatio(0.45)
-    bar.SetTitle("")
-    bar.SetNumberOfLabels(0)
-    ticks = tick_values(low, high)
-    custom = vtkDoubleArray()
-    for value in ticks:
-        custom.InsertNextValue(value)
-    bar.SetCustomLabels(custom)
-    bar.UseCustomLabelsOn()
-    bar.SetLabelFormat("%.4g")
-    bar.UnconstrainedFontSizeOn()
-    style = bar.GetLabelTextProperty()
-    style.SetFontFamilyToArial()
-    style.SetFontSize(22)
-    style.SetColor(*INK)
-    style.ItalicOff()
-    style.BoldOff()
-    style.ShadowOff()
-    return bar
-
-
 def white_window():
     """White paper below, for views to stand on; text and colour bar go on a transparent layer above."""
     window = vtkRenderWindow()
@@ -473,7 +369,7 @@ def white_window():
 def draw(surface, field, title, beside):
     """The render window with everything in it."""
     low, high = colour_range(surface, field)
-    colours = colour_map(low, high)
+    colours = colour_map(low, high, field)
     window = white_window()
     for view in (main_view(surface, colours, beside), section_view(surface, colours, beside)):
         window.AddRenderer(view)

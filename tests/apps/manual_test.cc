@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The manual's parameter chapters are what the parameter structs say.
 #include <pellicle/base/scene_text.h>
+#include <pellicle/models/director_scene.h>
 #include <pellicle/models/droplet_scene.h>
 #include <pellicle/models/ridge_scene.h>
+#include <pellicle/models/shell_scene.h>
 #include <pellicle/models/vesicle_scene.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -16,11 +19,11 @@ namespace
 using namespace pellicle;
 
 void compare(const std::string &application, const std::string &file, const EffectLibrary &library,
-             const std::vector<std::string> &analyses, SurfaceScene &scene)
+             const std::vector<std::string> &effects, const std::vector<std::string> &analyses, SurfaceScene &scene)
 {
   SceneDescription description;
   description.application    = application;
-  description.effects        = library.names();
+  description.effects        = effects;
   description.known_effects  = library.names();
   description.known_analyses = analyses;
   description.sections       = scene.sections();
@@ -38,20 +41,37 @@ TEST(Manual, ParametersOfVesicles)
 {
   const EffectLibrary library = standard_effects();
   VesicleScene scene          = make_vesicle_scene(library, library.names(), {});
-  compare("vesicle", "parameters.md", library, {"stability", "phase diagram"}, scene);
+  compare("vesicle", "parameters.md", library, library.names(), {"stability", "phase diagram"}, scene);
 }
 
 TEST(Manual, ParametersOfDrops)
 {
   const EffectLibrary library = droplet_effects();
   DropletScene scene          = make_droplet_scene(library, library.names(), {});
-  compare("droplet_contact", "parameters_droplet_contact.md", library, {"stability"}, scene);
+  compare("droplet_contact", "parameters_droplet_contact.md", library, library.names(), {"stability"}, scene);
 }
 
 TEST(Manual, ParametersOfRidges)
 {
   const EffectLibrary library = ridge_effects();
   RidgeScene scene            = make_ridge_scene(library, library.names(), {});
-  compare("wetting_ridge", "parameters_wetting_ridge.md", library, {"stability"}, scene);
+  compare("wetting_ridge", "parameters_wetting_ridge.md", library, library.names(), {"stability"}, scene);
+}
+
+/** Those of a shell are in scenes of their own. */
+TEST(Manual, ParametersOfMembranesWithDirectorsAndOfShells)
+{
+  const EffectLibrary library = director_effects();
+  const std::vector<std::string> of_shells{"cosserat shell", "dead load", "point loads"};
+  std::vector<std::string> of_membranes = library.names();
+  of_membranes.erase(std::remove_if(of_membranes.begin(), of_membranes.end(),
+                                    [&](const std::string &name)
+                                    { return std::find(of_shells.begin(), of_shells.end(), name) != of_shells.end(); }),
+                     of_membranes.end());
+  DirectorScene membrane;
+  list_effects(membrane, library, of_membranes, {});
+  compare("director_membrane", "parameters_director_membrane.md", library, of_membranes, {"stability"}, membrane);
+  ShellScene shell = make_shell_scene(library, of_shells, {});
+  compare("director_membrane", "parameters_shells.md", library, of_shells, {"stability"}, shell);
 }
 } // namespace

@@ -44,6 +44,66 @@ TEST(Picture, OfABiconcaveSurface)
   EXPECT_EQ(colours.exit_status, 0) << colours.output;
 }
 
+/** A square in the plane z = 0. */
+SurfaceSample flat_sample()
+{
+  constexpr unsigned int n = 4, k = 2;
+  SurfaceSample sample;
+  sample.degree  = k;
+  sample.n_cells = n * n;
+  for (unsigned int cell = 0; cell < sample.n_cells; ++cell)
+    for (unsigned int p = 0; p < sample.points_per_cell(); ++p)
+      sample.points.insert(sample.points.end(),
+                           {cell % n + p % (k + 1) / double(k), cell / n + p / (k + 1) / double(k), 0.});
+  sample.fields = {{"mean_curvature_outward", 1, std::vector<double>(sample.n_points(), 0.)}};
+  return sample;
+}
+
+/** Directors in a surface of revolution, round the axis, or along the axis in the plane. */
+void add_directors(SurfaceSample &sample, const bool round)
+{
+  SampledField director{"director", 3, {}}, tilt{"tilt", 3, {}};
+  for (std::size_t i = 0; i < sample.n_points(); ++i)
+  {
+    const double x = sample.points[3 * i], y = sample.points[3 * i + 1], r = std::hypot(x, y);
+    if (round && r > 0.)
+      director.values.insert(director.values.end(), {-y / r, x / r, 0.});
+    else
+      director.values.insert(director.values.end(), {0., 0., 1.});
+    for (unsigned int c = 0; c < 3; ++c)
+      tilt.values.push_back(round && r > 0. ? director.values[3 * i + c] : 0.);
+  }
+  sample.fields.push_back(director);
+  sample.fields.push_back(tilt);
+}
+
+TEST(Picture, DirectorsAreNeedles)
+{
+  const TemporaryDirectory directory;
+  const auto vtu = directory.path() / "shape.vtu", with = directory.path() / "with.png",
+             without = directory.path() / "without.png";
+  for (const bool is_flat : {false, true})
+  {
+    SCOPED_TRACE(is_flat ? "flat" : "sphere");
+    SurfaceSample sample = is_flat ? flat_sample() : pellicle::testing::sphere_sample(1.3, 3, 2);
+    for (const auto &png : {without, with})
+    {
+      write_vtu(vtu, sample);
+      if (const auto reason = render_picture(vtu, "", png, "Directors"))
+      {
+        if (is_not_installed(*reason))
+          GTEST_SKIP() << *reason;
+        FAIL() << *reason;
+      }
+      add_directors(sample, !is_flat);
+    }
+    const ProgramEnd needles = run_program(
+        {"/usr/bin/python3", PELLICLE_SOURCE_DIR "/tests/output/check_needles.py", with.string(), without.string()},
+        60.);
+    EXPECT_EQ(needles.exit_status, 0) << needles.output;
+  }
+}
+
 /** A hemisphere on the top of a body of radius 2 or, as a block, of half width 2, that has a ridge at r = 1. */
 class DropOnRidge
 {
