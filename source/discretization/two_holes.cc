@@ -108,12 +108,16 @@ SurfaceDiscretization disc_with_two_holes(const DiscWithTwoHoles &disc, const un
   };
   SurfaceDiscretization result = place_nodes(
       refine_quads(corner_points(quads, n_vertices, point), quads, refinements, degree), quads, degree, point);
-  const double middle = 0.5 * disc.distance + disc.hole_radius + disc.outer_radius;
-  result.edges =
-      find_rims(result,
-                [&](const Vector3<double> &x) {
-                  return 2. * std::hypot(x[0], x[1]) > middle ? "ring" : x[0] > 0. ? "right hole" : "left hole";
-                });
+  // In this order, whichever is found first.
+  const std::array<std::string, 3> names{{"right hole", "left hole", "ring"}};
+  const double between = 0.5 * (0.5 * disc.distance + disc.hole_radius + disc.outer_radius);
+  const auto name      = [&](const Vector3<double> &x) -> std::string {
+    return norm(x) > between ? names[2] : x[0] > 0. ? names[0] : names[1];
+  };
+  result.edges     = find_rims(result, name);
+  const auto place = [&](const EdgeLoop &rim) { return std::find(names.begin(), names.end(), rim.name); };
+  std::sort(result.edges.begin(), result.edges.end(),
+            [&](const EdgeLoop &a, const EdgeLoop &b) { return place(a) < place(b); });
   result.mesh_reference = result.positions;
   return result;
 }

@@ -6,6 +6,7 @@
 #include <pellicle/models/director_start.h>
 #include <pellicle/models/relaxation_system.h>
 #include <pellicle/models/surface_model.h>
+#include <pellicle/models/surface_motion.h>
 #include <pellicle/potentials/director/director_effect.h>
 #include <pellicle/potentials/director/director_fields.h>
 #include <pellicle/potentials/dissipations/director_friction.h>
@@ -93,6 +94,7 @@ void DirectorScene::check_time() const
   if (!has_friction)
     throw UserError("Time/End time is positive, but the list Effects has no 'director friction': how fast directors "
                     "turn is not defined. Add it.");
+  check_material_points(potentials(Scales{}), is_held());
   if (!load.parameter.empty() || !branch.parameter.empty() || !analyses.empty())
     throw UserError("A scene that moves in time (Time/End time > 0) can have neither Load/Parameter nor "
                     "Continuation/Parameter nor Analyses: these are for equilibria.");

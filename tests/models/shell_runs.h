@@ -15,10 +15,7 @@ namespace pellicle::test
 inline ShellScene shell_scene(const std::string &shape, const std::string &load, const int degree,
                               const int refinements)
 {
-  EffectLibrary library("effect");
-  add_shell_effects(library);
-  library.add("pressure", [] { return std::make_unique<PressureEffect>(); });
-  ShellScene scene       = make_shell_scene(library, {"cosserat shell", load}, {});
+  ShellScene scene       = make_shell_scene(director_effects(), {"cosserat shell", load}, {});
   scene.shell.shape      = shape;
   scene.mesh.degree      = degree;
   scene.mesh.refinements = refinements;

@@ -21,7 +21,7 @@ TEST(Plate, DeflectionUnderSinusoidalLoadIsNaviers)
   for (const char *correction : {"none", "5/6"})
     for (const double h : {0.3, 0.03})
     {
-      ShellScene scene         = shell_scene("plate", "dead load", 3, 1);
+      ShellScene scene         = shell_scene("plate", "dead load", 3, 2);
       scene.shell.length       = 2.;
       scene.shell.width        = 3.;
       scene.shell.load_shape   = "sin(pi*x/2)*sin(pi*y/3)";
@@ -80,7 +80,7 @@ TEST(Balloon, PressureIsThatOfTheUniformState)
     }
     const double thin = m.young * h * (l * l - 1.) / ((1. - m.poisson) * l);
     EXPECT_NEAR(P / thin, 1., h * h);
-    ShellScene scene                                  = shell_scene("sphere", "pressure", 3, 0);
+    ShellScene scene                                  = shell_scene("sphere", "pressure", 3, 1);
     scene.shell.radius                                = 1.;
     effect<CosseratShellEffect>(scene).parameters     = m;
     effect<PressureEffect>(scene).parameters.pressure = P;
@@ -155,7 +155,7 @@ TEST(Ring, DoesNotLock)
 {
   const double R = 10.;
   for (const auto &[degree, refinements, bound] :
-       {std::tuple<int, int, double>{3, 0, 0.04}, {3, 1, 3e-3}, {2, 2, 0.03}})
+       {std::tuple<int, int, double>{3, 0, 0.04}, {3, 1, 5e-3}, {2, 2, 0.03}})
     for (const double ratio : {1e-1, 1e-2, 1e-3, 1e-4})
     {
       ShellScene scene       = shell_scene("cylinder", "dead load", degree, refinements);
@@ -168,7 +168,7 @@ TEST(Ring, DoesNotLock)
       const double exact     = ring_displacement(shell, R);
       // R^4/(12 E I), see below, and a part of the first order in h/R of the thickness
       const double thin = std::pow(R, 4) / std::pow(shell.thickness, 3);
-      EXPECT_NEAR(exact / thin, 1., 2. * ratio * ratio);
+      EXPECT_NEAR(exact / thin, 1., 2. * ratio * ratio + 1e-6);
       DeadLoadParameters &load = effect<DeadLoadEffect>(scene).parameters;
       load.force               = {1., 0., 0.};
       load.scale               = 1e-3 * R / exact;
@@ -249,7 +249,7 @@ TEST(PinchedHemisphere, NewtonsMethodIsQuadraticAtLargeRotations)
   run.record.iterations.clear();
   run.result = run.model.solve(2, run.record);
   ASSERT_TRUE(run.result.converged);
-  expect_quadratic_tail(run.record.iterations, 1e-2, 100., 1e-8);
+  expect_quadratic_tail(run.record.iterations, 1e-3, 1e3, 1e-9);
 }
 
 TEST(ShellScenes, RefuseWhatMakesNoSense)
@@ -262,7 +262,7 @@ TEST(ShellScenes, RefuseWhatMakesNoSense)
   ShellScene idle       = pinched_hemisphere(2., 3, 1);
   idle.shell.load_shape = "x";
   expect_user_error([&] { idle.check(); }, {"Load shape", "dead load"});
-  ShellScene unreadable       = shell_scene("plate", "dead load", 3, 1);
+  ShellScene unreadable       = shell_scene("plate", "dead load", 3, 2);
   unreadable.shell.load_shape = "sin(";
   expect_user_error([&] { unreadable.check(); }, {"sin("});
   EXPECT_NO_THROW(pinched_hemisphere(2., 3, 1).check());

@@ -58,6 +58,7 @@ private:
   };
 
   static Numbering numbering_of(const SurfaceProblem &problem);
+  void make_general_pattern();
   void assemble(Assembler &assembler, const PotentialSet &set, const FieldValues &values, Order order);
   /** M v, complete on every process. */
   std::vector<double> friction_times(const std::vector<double> &rate) const;
@@ -77,6 +78,7 @@ private:
   FieldValues fields_start;
   std::vector<double> y_start;
   std::vector<double> friction; ///< values of M in the system's pattern
-  SparseMatrix general;
+  SparseMatrix general;         ///< dF/dy + alpha dF/dy'
+  std::vector<int> origin;      ///< of its entries in the system's pattern, or nowhere
 };
 } // namespace pellicle

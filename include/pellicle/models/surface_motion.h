@@ -54,6 +54,10 @@ protected:
   EnergyBalance books{0.};
 };
 
+/** Throws UserError where friction acts at material points of a surface that is free to move, and nothing but friction
+ * says where these go: a fluid membrane flows without cost. */
+void check_material_points(const PotentialSet &set, bool is_held);
+
 /**
  * The motion that section Time asks for. Throws UserError where nothing dissipates, where material points are not
  * defined (a free surface on which no energy holds the points), or where the integrator cannot be used; SolveError if

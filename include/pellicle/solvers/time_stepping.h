@@ -16,7 +16,7 @@ struct TimeParameters
   std::string integrator    = "minimising";
   double relative_tolerance = 1e-6;
   double absolute_tolerance = 1e-8;
-  double energy_tolerance   = 1e-3;
+  double energy_tolerance   = 1e-4;
   int output_every          = 1;
 
   void bind(ParameterSection &section);

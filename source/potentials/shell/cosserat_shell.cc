@@ -57,6 +57,30 @@ ShellStrainEnergy::Shares ShellStrainEnergy::kept(const PointData &data) const
   return {std::min(largest, kept_plain * ratio), std::min(largest, kept_shear * ratio)};
 }
 
+// The part of transverse shear in S : E is 2 (S N)_tan . (E N)_tan.
+ShellStrainEnergy::Weights ShellStrainEnergy::weights(const Vector3<double> &N, const PointData &data) const
+{
+  const Shares t = kept(data);
+  std::array<Vector3<double>, 6> on_normal; // of the tensor with component s alone
+  for (unsigned int s = 0; s < 6; ++s)
+  {
+    const auto [p, q] = symmetric_index[s];
+    on_normal[s][p] += N[q];
+    if (p != q)
+      on_normal[s][q] += N[p];
+    on_normal[s] -= dot(on_normal[s], N) * N;
+  }
+  Weights P{};
+  for (unsigned int s = 0; s < 6; ++s)
+    for (unsigned int r = 0; r < 6; ++r)
+    {
+      const double strain_of_component = r < 3 ? 1. : 0.5; // strains are doubled off the diagonal
+      P[s][r]                          = (s == r ? 1. - t.plain : 0.) +
+                (t.plain - t.shear) * 2. * strain_of_component * dot(on_normal[s], on_normal[r]);
+    }
+  return P;
+}
+
 void ShellStrainEnergy::add_derivatives(const PointInputs<double, 4> &inputs, const PointData &data,
                                         const PointDerivativeView &view) const
 {
@@ -71,12 +95,17 @@ void ShellStrainEnergy::add_derivatives(const PointInputs<double, 4> &inputs, co
   ShellStrainDerivatives::Gradient by_strain{};
   ShellStrainDerivatives::Hessian by_strains{};
   std::array<double, 6> by_stress;
+  const Weights P = weights(D.normal, data);
   for (unsigned int s = 0; s < 6; ++s)
   {
-    by_strain[s] = volume * (W.gradient[s] + S[s]);
-    by_stress[s] = volume * (strains.strains.strain[s] - dual.gradient[s]);
+    by_strain[s] = volume * W.gradient[s];
+    by_stress[s] = -volume * dual.gradient[s];
     for (unsigned int r = 0; r < 6; ++r)
+    {
+      by_strain[s] += volume * P[r][s] * S[r];
+      by_stress[s] += volume * P[s][r] * strains.strains.strain[r];
       by_strains[s][r] = volume * W.hessian[6 * s + r];
+    }
   }
   strains.add(by_strain, by_strains, view);
   for (unsigned int f = 0; f < 2; ++f)
@@ -91,7 +120,8 @@ void ShellStrainEnergy::add_derivatives(const PointInputs<double, 4> &inputs, co
       Matrix3 block;
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
-          block(i, j) = volume * of_strain[i][3 * f + j];
+          for (unsigned int r = 0; r < 6; ++r)
+            block(i, j) += volume * P[3 * f + j][r] * of_strain[i][r];
       view.add_hessian(ShellStrainDerivatives::input[k][0], ShellStrainDerivatives::input[k][1], 2 + f, 0, block);
     }
     for (unsigned int g = f; g < 2; ++g)

@@ -29,11 +29,11 @@ const ShellReference &reference_at(const ShellReferences &references, const Poin
  * much as bending costs on the scale of a cell, is kept, and the rest is written with a stress of its own (Hellinger-
  * Reissner):
  *
- *     w = (m/rho_0) {t W(Ebar) + S : Ebar - W*(S)/(1 - t)},   t = min(1/2, c h^2/s^2),
+ *     w = (m/rho_0) {t W(Ebar) + (1 - t) (S : Ebar - W*(S))},   t = min(1/2, c h^2/s^2),
  *
- * s the distance of neighbouring nodes. The largest value over S at every point would be (m/rho_0) W(Ebar): the form is
- * exact for all t. S is continuous and of one degree less than the position, so that strains are only seen where they
- * are more than the error of interpolation.
+ * s the distance of neighbouring nodes. The largest value over S at every point would be (m/rho_0) W(Ebar), at the
+ * stress of Ebar: the form is exact for all t, and S does not jump where t does. S is continuous and of one degree less
+ * than the position, so that strains are only seen where they are more than the error of interpolation.
  *
  * W is a sum of two parts, transverse shear and all else, each with its own c, found by experiment (doc/numerics.md):
  * the share of membrane strains is what is left of locking and is kept small; that of transverse shear decides how far
@@ -67,9 +67,11 @@ struct ShellStrainEnergy
     const ShellReference &D = reference_at(reference, data);
     const ShellStrains<Number> strains(inputs[0], inputs[1], D, D.first_moments(material.thickness));
     const Symmetric6<Number> S = stress(inputs);
+    const Weights P            = weights(D.normal, data);
     Number product             = Number(0.);
     for (unsigned int s = 0; s < 6; ++s)
-      product += S[s] * strains.strain[s];
+      for (unsigned int r = 0; r < 6; ++r)
+        product += P[s][r] * S[s] * strains.strain[r];
     const Number kept_energy = kept_part(strains.strain, D.normal, data);
     const Number dual_energy = dual_part(S, D.normal, data);
     return D.volume(material.thickness) * (kept_energy + product - dual_energy);
@@ -79,6 +81,10 @@ struct ShellStrainEnergy
                        const PointDerivativeView &view) const;
 
 private:
+  /** The sum of (1 - t) S : Ebar over both parts is that of S_s P_sr Ebar_r. */
+  using Weights = std::array<std::array<double, 6>, 6>;
+  Weights weights(const Vector3<double> &N, const PointData &data) const;
+
   template <typename Number>
   Number kept_part(const Symmetric6<Number> &E, const Vector3<double> &N, const PointData &data) const
   {
@@ -89,8 +95,8 @@ private:
   Number dual_part(const Symmetric6<Number> &S, const Vector3<double> &N, const PointData &data) const
   {
     const Shares t = kept(data);
-    return 1. / (1. - t.plain) * material.plain_complementary_energy(S, N) +
-           1. / (1. - t.shear) * material.shear_complementary_energy(S, N);
+    return (1. - t.plain) * material.plain_complementary_energy(S, N) +
+           (1. - t.shear) * material.shear_complementary_energy(S, N);
   }
   template <typename Number>
   static Symmetric6<Number> stress(const PointInputs<Number, 4> &inputs)
