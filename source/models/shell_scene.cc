@@ -83,6 +83,11 @@ void ShellScene::check() const
     throw UserError("Mesh/Symmetry = " + mesh.symmetry + ": shells are computed in space. Set it to none.");
   if (!mesh.file.empty())
     throw UserError("Mesh/File = " + mesh.file + ": shells make their own mesh (Shell/Shape). Remove it.");
+  const std::vector<std::string> possible{"cosserat shell", "dead load", "point loads", "pressure"};
+  for (const auto &effect : effects)
+    if (std::find(possible.begin(), possible.end(), effect->name()) == possible.end())
+      throw UserError("The list Effects has '" + effect->name() +
+                      "' beside 'cosserat shell': a shell can have 'dead load', 'point loads' and 'pressure' only.");
   if (has_effect("pressure") && shell.shape != "sphere")
     throw UserError("The effect 'pressure' needs a volume, which Shell/Shape = " + shell.shape +
                     " does not enclose. Take the sphere, or a dead load.");

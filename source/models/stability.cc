@@ -12,11 +12,11 @@ namespace pellicle
 {
 void StabilityParameters::bind(ParameterSection &section)
 {
-  section.integer(
-      "Eigenvalues", eigenvalues, 0, 100,
-      "Number of lowest eigenvalues of the second variation to compute where Analyses lists stability, in "
-      "energy per length^4 (second variation of a displacement of unit L2 norm; of directors on a held surface: energy per length^2). Their modes are written to "
-      "the VTU files.");
+  section.integer("Eigenvalues", eigenvalues, 0, 100,
+                  "Number of lowest eigenvalues of the second variation to compute where Analyses lists stability, in "
+                  "energy per length^4 (second variation of a displacement of unit L2 norm; of directors on a held "
+                  "surface: energy per length^2). Their modes are written to "
+                  "the VTU files.");
   section.flag("Follow unstable mode", follow_unstable_mode,
                "Where an equilibrium has a negative eigenvalue: go downhill along its mode, to a stable one.");
 }

@@ -9,6 +9,7 @@
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_model.h>
 #include <pellicle/potentials/director/director_fields.h>
+#include <pellicle/potentials/shell/cosserat_shell.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +44,8 @@ Dimension dimension_of(const Field &field)
 {
   if (field.name == material_position)
     return dimensions::length;
-  return field.space == FieldSpace::unit_vectors ? dimensions::none : dimensions::line_tension;
+  return field.space == FieldSpace::unit_vectors || field.name == shell_director ? dimensions::none
+                                                                                 : dimensions::line_tension;
 }
 
 /** (I - n n) O at the nodes. */
@@ -249,6 +251,13 @@ SurfaceSample SurfaceModel::sample() const
     fields.push_back({"tilt", 3,
                       tilt(of_surface(state.fields[problem->layout().index(director)]),
                            nodal_normals(surface, of_surface(state.fields[0])))});
+  if (problem->layout().has(shell_director))
+  {
+    NodalVectors displacements = state.fields[0];
+    for (std::size_t i = 0; i < displacements.size(); ++i)
+      displacements[i] -= discretization.positions[i];
+    fields.push_back({"displacement", 3, scaled_values(of_surface(displacements), unit.length)});
+  }
 
   if (last_stability)
     for (std::size_t k = 0; k < last_stability->modes.size(); ++k)

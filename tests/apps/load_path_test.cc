@@ -58,16 +58,17 @@ Outcome run(const bool staged, const std::vector<std::string> &overrides)
   write_whole_file(command_line.scene_file, "subsection Mesh\n  set Symmetry = axial\nend\n"
                                             "subsection Droplet\n  set Bond number = 0.5\nend\n"
                                             "subsection Line tension\n  set Line tension = 0.1\nend\n");
-  const SurfaceApplication application{"drop",
-                                       "",
-                                       droplet_effects(),
-                                       {"liquid surface", "volume constraint", "wetting", "gravity", "line tension"},
-                                       [staged](const std::vector<std::string> & /*effects*/) -> std::unique_ptr<SurfaceScene>
-                                       {
-                                         if (staged)
-                                           return std::make_unique<StagedDrop>();
-                                         return std::make_unique<DropletScene>();
-                                       }};
+  const SurfaceApplication application{
+      "drop",
+      "",
+      droplet_effects(),
+      {"liquid surface", "volume constraint", "wetting", "gravity", "line tension"},
+      [staged](const std::vector<std::string> & /*effects*/) -> std::unique_ptr<SurfaceScene>
+      {
+        if (staged)
+          return std::make_unique<StagedDrop>();
+        return std::make_unique<DropletScene>();
+      }};
 
   SurfaceSceneFile file(application, command_line);
   std::unique_ptr<SurfaceScene> scene = file.read();

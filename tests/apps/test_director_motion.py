@@ -80,6 +80,51 @@ class Motions(DirectorTest):
             self.assert_within(two.quantities["tilt_energy"], one.quantities["tilt_energy"], 1e-5)
 
 
+# A sphere with a skin that keeps its material points together, free to move.
+FREE = """
+set Effects = director, director friction, skalak skin, volume constraint
+subsection Mesh
+  set Symmetry    = axial
+  set Refinements = 1
+end
+subsection Vesicle
+  set Area           = 4*pi
+  set Reduced volume = 1
+  set Start shape    = ellipsoid
+  set Semi axes      = 1, 1, 1
+end
+subsection Director field
+  set Start = towards z
+  set Angle = 0.5
+end
+subsection Director
+  set Tilt modulus = 2
+end
+subsection Time
+  set End time = 0.5
+  set Step     = 0.1
+end
+"""
+
+
+class FreeMotions(DirectorTest):
+    def test_elastic_membrane(self):
+        """Against the lab directors drag the skin with them, against the membrane hardly at all."""
+        scene, skins = self.write("scene.prm", FREE), {}
+        for frame in ("lab", "objective"):
+            run = self.solve(scene, f"Director friction/Frame={frame}", name=frame)
+            skins[frame] = run.quantities["skalak_skin_energy"]
+            rows = run.table("history.csv")
+            energies = [float(row["total_energy"]) for row in rows]
+            self.assertEqual(energies, sorted(energies, reverse=True))
+            self.assertLessEqual(run.summary["newton"]["iterations"], 8 * run.summary["newton"]["steps"])
+            self.assertLess(run.quantities["energy_balance_error"], 0)
+        self.assertGreater(skins["lab"], 100 * skins["objective"])
+        self.assertGreater(skins["objective"], 0)
+        ida = self.call(scene, *settings("Time/Integrator=ida"), "--output-directory", self.folder / "ida")
+        self.assert_clear_refusal(ida, self.folder / "ida", ["Time/Integrator = ida", "held", "minimising"])
+
+
 class Refusals(DirectorTest):
     def test_time_without_friction(self):
         scene = self.write("scene.prm", "set Effects = director\nsubsection Time\n  set End time = 1\nend\n")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Large rotations of the pinched hemisphere against Sze, Liu & Lo, Finite Elem. Anal. Des. 40, 1551 (2004), Table 5.
+// Large rotations of the pinched hemisphere against Sze, Liu & Lo, Finite Elem. Anal. Des. 40, 1551 (2004).
 #include "shell_runs.h"
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 #include <pellicle/potentials/constraints/enclosed_volume.h>
 #include <pellicle/potentials/constraints/total_area.h>
 #include <pellicle/potentials/density_potential.h>
-#include <pellicle/potentials/director/in_plane_directors.h>
 #include <pellicle/potentials/director/director_gradient.h>
+#include <pellicle/potentials/director/in_plane_directors.h>
 #include <pellicle/potentials/director/spontaneous_director_curvature.h>
 #include <pellicle/potentials/director/tilt_energy.h>
 #include <pellicle/potentials/energies/gravity.h>

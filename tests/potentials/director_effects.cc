@@ -82,12 +82,19 @@ TEST(DirectorEffects, NeedNoMeshToBeListed)
 TEST(DirectorEffects, DirectPartOfTheTiltModulus)
 {
   const double infinity = std::numeric_limits<double>::infinity();
-  const auto direct     = [](const double k_t, const double K, const double h_squared) {
-    return (*direct_tilt_modulus({k_t, K, 0.}, targets_with(h_squared)))[0];
+  const auto direct     = [](const double k_t, const double K, const double h_squared, const bool is_held)
+  {
+    SceneTargets targets    = targets_with(h_squared);
+    targets.surface_is_held = is_held;
+    return (*direct_tilt_modulus({k_t, K, 0.}, targets))[0];
   };
-  EXPECT_DOUBLE_EQ(direct(infinity, 2., 0.1), 2.);
-  EXPECT_DOUBLE_EQ(direct(1e3, 2., 0.1), 2.);
-  EXPECT_DOUBLE_EQ(direct(3., 2., 0.1), 1.5);
+  for (const double k_t : {infinity, 1e3})
+  {
+    EXPECT_DOUBLE_EQ(direct(k_t, 2., 0.1, true), 2.);
+    EXPECT_DOUBLE_EQ(direct(k_t, 2., 0.1, false), 20.);
+  }
+  EXPECT_DOUBLE_EQ(direct(2., 2., 0.1, true), 1.8);
+  EXPECT_DOUBLE_EQ(direct(10., 2., 0.1, false), 9.);
 }
 
 // The whole in internal units times the unit of energy per area is the whole in the user's units.

@@ -34,9 +34,11 @@ struct MixedTiltDerivative
   {
     const double k_0 = (*direct)[data.index], k_t = tilt_modulus;
     const bool is_share   = k_0 >= largest_share * k_t; // of k_t, else of the cell's size
-    const double k_0_rate = factor * (is_share ? largest_share : 0.), t_rate = factor * (is_share ? 0. : k_0 / (k_t * k_t));
-    const double compliance_rate = factor * (is_share ? largest_share - 1. : 2. * k_0 / k_t - 1.) / (k_t * k_t); // of t/k_t
-    const double normal_rate     = -MixedTiltEnergy::normal_weight * k_0_rate / (k_0 * k_0);
+    const double k_0_rate = factor * (is_share ? largest_share : 0.),
+                 t_rate   = factor * (is_share ? 0. : k_0 / (k_t * k_t));
+    const double compliance_rate =
+        factor * (is_share ? largest_share - 1. : 2. * k_0 / k_t - 1.) / (k_t * k_t); // of t/k_t
+    const double normal_rate = -MixedTiltEnergy::normal_weight * k_0_rate / (k_0 * k_0);
     TangentialForm<2> rate;
     rate.alpha = {{{k_0_rate, t_rate}, {t_rate, -compliance_rate}}};
     rate.beta  = {{{k_0_rate, t_rate}, {t_rate, normal_rate}}};
@@ -96,11 +98,11 @@ void DirectorEffect::prepare(const Scales &scales, SceneTargets &targets) const
 void DirectorEffect::contribute(const Scales & /*scales*/, const SceneTargets &targets, PotentialSet &set) const
 {
   const DirectorLaw &law = targets.director_law();
-  const bool is_held     = law.tilt_modulus > 0.;
-  if (is_held && parameters.shear == "mixed")
+  const bool has_tilt    = law.tilt_modulus > 0.;
+  if (has_tilt && parameters.shear == "mixed")
     set.energies.push_back(std::make_shared<DensityPotential<MixedTiltEnergy>>(
         tilt_energy, MixedTiltEnergy{law.tilt_modulus, direct_tilt_modulus(law, targets)}));
-  else if (is_held)
+  else if (has_tilt)
     set.energies.push_back(std::make_shared<DensityPotential<TiltEnergy>>(tilt_energy, TiltEnergy{law.tilt_modulus}));
   set.energies.push_back(std::make_shared<DensityPotential<DirectorGradientEnergy>>(
       gradient_energy, DirectorGradientEnergy{law.bending_modulus}));

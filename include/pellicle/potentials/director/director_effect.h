@@ -17,7 +17,8 @@ struct DirectorParameters
 
 /**
  * The effect "director": the energies "tilt" (k_t/2) |O_tan|^2 and "director gradient" (K/2) |grad O|^2
- * of (23) of Hu, Zhang & E 2007, the former unless k_t = 0. The null Lagrangian is not among them; see null_lagrangian().
+ * of (23) of Hu, Zhang & E 2007, the former unless k_t = 0. The null Lagrangian is not among them; see
+ * null_lagrangian().
  */
 class DirectorEffect : public Effect
 {
@@ -35,8 +36,9 @@ public:
   DirectorParameters parameters;
 };
 
-/** k_0 = min(c K/h^2, 9 k_t/10), c = 1/10 on a surface that is held and 1 on one that moves, at every quadrature point, the part of the tilt modulus that MixedTiltEnergy leaves in
- * displacement form; null while the scene is only checked. */
+/** k_0 = min(c K/h^2, 9 k_t/10), c = 1/10 on a surface that is held and 1 on one that moves, at every quadrature point,
+ * the part of the tilt modulus that MixedTiltEnergy leaves in displacement form; null while the scene is only checked.
+ */
 std::shared_ptr<const std::vector<double>> direct_tilt_modulus(const DirectorLaw &law, const SceneTargets &targets);
 
 /** (K + kappa_G)/2 e^ab (O,a x O,b) . O, named "null lagrangian": for reports. */
