@@ -114,17 +114,6 @@ void DirectorEffect::prepare(const Scales &scales, SceneTargets &targets) const
 
 void DirectorEffect::contribute(const Scales & /*scales*/, const SceneTargets &targets, PotentialSet &set) const
 {
-<<<<<<< HEAD
-  const DirectorLaw &law = targets.director_law();
-  const bool has_tilt    = law.tilt_modulus > 0.;
-  if (has_tilt && parameters.shear == "mixed")
-    set.energies.push_back(std::make_shared<DensityPotential<MixedTiltEnergy>>(
-        tilt_energy, MixedTiltEnergy{law.tilt_modulus, direct_tilt_modulus(law, targets)}));
-  else if (has_tilt)
-    set.energies.push_back(std::make_shared<DensityPotential<TiltEnergy>>(tilt_energy, TiltEnergy{law.tilt_modulus}));
-  set.energies.push_back(std::make_shared<DensityPotential<DirectorGradientEnergy>>(
-      gradient_energy, DirectorGradientEnergy{law.bending_modulus}));
-=======
   for (std::size_t region = 0; region < targets.directors.size(); ++region)
   {
     const DirectorLaw &law = targets.directors[region];
@@ -144,7 +133,6 @@ void DirectorEffect::contribute(const Scales & /*scales*/, const SceneTargets &t
       set.energies.push_back(
           std::make_shared<DensityPotential<NullLagrangian>>(domain_energy, NullLagrangian{difference}, where));
   }
->>>>>>> wt-domains
 }
 
 std::vector<ParameterDerivative> DirectorEffect::derivatives(const Scales &scales, const SceneTargets &targets) const

@@ -25,14 +25,9 @@ struct DirectorParameters
 
 /**
  * The effect "director": the energies "tilt" (k_t/2) |O_tan|^2 and "director gradient" (K/2) |grad O|^2
-<<<<<<< HEAD
- * of (23) of Hu, Zhang & E 2007, the former unless k_t = 0. The null Lagrangian is not among them; see
- * null_lagrangian().
-=======
  * of (23) of Hu, Zhang & E 2007, the former unless k_t = 0. The null Lagrangian is not among them, see
  * null_lagrangian(); but where its weight mu_2 jumps at a line, the jump times its integral over the domain, the energy
  * "domain null lagrangian", which depends on the directors of the line alone.
->>>>>>> wt-domains
  */
 class DirectorEffect : public Effect
 {
