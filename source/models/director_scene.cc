@@ -90,12 +90,13 @@ void DirectorScene::check_domain() const
   const DirectorParameters &law = find<DirectorEffect>()->parameters;
   const auto *domain            = find<LipidDomainEffect>();
   if (domain == nullptr && law.has_domain())
-    throw UserError("Director/Domain tilt ratio = " + exact_text(law.domain_tilt) + " and Domain bending ratio = " +
-                    exact_text(law.domain_bending) +
+    throw UserError("Director/Domain tilt ratio = " + exact_text(law.domain_tilt) +
+                    " and Domain bending ratio = " + exact_text(law.domain_bending) +
                     ": there is no domain. Add 'lipid domain' to Effects, or leave both at 1.");
   if (domain != nullptr && has_inclusion())
-    throw UserError("The effect 'lipid domain' starts around the north pole of a closed surface: it needs Surface/Shape "
-                    "= vesicle.");
+    throw UserError(
+        "The effect 'lipid domain' starts around the north pole of a closed surface: it needs Surface/Shape "
+        "= vesicle.");
   const LipidDomainParameters none;
   if (domain != nullptr && !has_effect("helfrich bending") &&
       (domain->parameters.bending_rigidity != none.bending_rigidity ||

@@ -47,15 +47,15 @@ struct Moduli
 /** The unit sphere. */
 DirectorScene held_sphere(const Moduli &moduli, const double area_fraction, const Mesh &mesh)
 {
-  DirectorScene scene              = scene_of({"director", "lipid domain"}, mesh, area_fraction);
-  scene.vesicle.start_shape        = "ellipsoid";
-  scene.vesicle.semi_axes          = {1., 1., 1.};
-  scene.carrier.motion             = "held";
-  DirectorParameters &law          = effect<DirectorEffect>(scene).parameters;
-  law.tilt_modulus                 = moduli.k_t;
-  law.bending_modulus              = moduli.K;
-  law.domain_tilt                  = std::isinf(moduli.k_t) ? 1. : moduli.k_t_domain / moduli.k_t;
-  law.domain_bending               = moduli.K_domain / moduli.K;
+  DirectorScene scene       = scene_of({"director", "lipid domain"}, mesh, area_fraction);
+  scene.vesicle.start_shape = "ellipsoid";
+  scene.vesicle.semi_axes   = {1., 1., 1.};
+  scene.carrier.motion      = "held";
+  DirectorParameters &law   = effect<DirectorEffect>(scene).parameters;
+  law.tilt_modulus          = moduli.k_t;
+  law.bending_modulus       = moduli.K;
+  law.domain_tilt           = std::isinf(moduli.k_t) ? 1. : moduli.k_t_domain / moduli.k_t;
+  law.domain_bending        = moduli.K_domain / moduli.K;
   return scene;
 }
 
@@ -68,8 +68,10 @@ TEST(DirectorDomain, NormalDirectorsOnTheHeldSphere)
     const Solved solved(held_sphere({infinity, K, infinity, K_domain}, f, mesh));
     ASSERT_TRUE(solved.result.converged) << solved.result.failure;
     const double tolerance = mesh.degree == 4 ? 1e-9 : 2e-4;
-    EXPECT_LT(relative_error(solved.quantity("director_gradient_energy"), 4. * pi * (K + f * (K_domain - K))), tolerance);
-    EXPECT_LT(relative_error(solved.quantity("domain_null_lagrangian_energy"), 4. * pi * f * (K_domain - K)), tolerance);
+    EXPECT_LT(relative_error(solved.quantity("director_gradient_energy"), 4. * pi * (K + f * (K_domain - K))),
+              tolerance);
+    EXPECT_LT(relative_error(solved.quantity("domain_null_lagrangian_energy"), 4. * pi * f * (K_domain - K)),
+              tolerance);
     EXPECT_LT(relative_error(solved.quantity("null_lagrangian_energy"), 4. * pi * K), tolerance);
   }
 }
@@ -81,9 +83,9 @@ struct Held
   Moduli moduli;
   double area_fraction, tilt, gradient, null;
 };
-constexpr Held stiff_domain   = {{1., 1., 10., 3.}, 0.15, 1.296824731876, 13.819066703152, 0.656280801698};
-constexpr Held same_tilt      = {{1., 1., 1., 3.}, 0.15, 0.765565306560, 13.694108073666, 0.333386657089};
-constexpr Held soft_domain    = {{20., 1., 2., 0.5}, 0.3, 0.309855327650, 10.393289877746, -2.470033542023};
+constexpr Held stiff_domain = {{1., 1., 10., 3.}, 0.15, 1.296824731876, 13.819066703152, 0.656280801698};
+constexpr Held same_tilt    = {{1., 1., 1., 3.}, 0.15, 0.765565306560, 13.694108073666, 0.333386657089};
+constexpr Held soft_domain  = {{20., 1., 2., 0.5}, 0.3, 0.309855327650, 10.393289877746, -2.470033542023};
 
 void expect_held(const Held &exact, const Mesh &mesh, const double tolerance, const std::string &shear = "mixed")
 {
@@ -175,7 +177,7 @@ TEST(DirectorDomain, WhatIsRefused)
   effect<DirectorEffect>(scene).parameters.domain_bending = 3.;
   EXPECT_USER_ERROR(scene.check(), "Domain bending ratio = 3", "lipid domain");
 
-  DirectorScene listed = held_sphere({1., 1., 1., 1.}, 0.2, {"axial", 3, 2});
+  DirectorScene listed                                          = held_sphere({1., 1., 1., 1.}, 0.2, {"axial", 3, 2});
   effect<LipidDomainEffect>(listed).parameters.bending_rigidity = 3.;
   EXPECT_USER_ERROR(listed.check(), "Lipid domain/Bending rigidity", "Director/Domain bending ratio");
   effect<LipidDomainEffect>(listed).parameters.bending_rigidity = 1.;

@@ -204,10 +204,14 @@ TEST(DirectorEffects, DomainHasModuliOfItsOwn)
   in_domain.parameters = {15., 12., -0.8, "mixed"};
   SpontaneousDirectorCurvatureEffect curvature;
   curvature.parameters.spontaneous_curvature = 0.7;
-  const PotentialSet set   = contributions(scales, {&director, &curvature}, targets_with(0.3)),
-                     alone = contributions(scales, {&in_domain, &curvature}, targets_with(0.3));
-  const std::vector<const char *> names{"tilt", "director gradient", "tilt", "director gradient",
-                                        "domain null lagrangian", "spontaneous director curvature",
+  const PotentialSet set                     = contributions(scales, {&director, &curvature}, targets_with(0.3)),
+                     alone                   = contributions(scales, {&in_domain, &curvature}, targets_with(0.3));
+  const std::vector<const char *> names{"tilt",
+                                        "director gradient",
+                                        "tilt",
+                                        "director gradient",
+                                        "domain null lagrangian",
+                                        "spontaneous director curvature",
                                         "spontaneous director curvature"};
   ASSERT_EQ(set.energies.size(), names.size());
   for (std::size_t e = 0; e < names.size(); ++e)

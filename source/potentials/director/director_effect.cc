@@ -60,9 +60,10 @@ void DirectorParameters::bind(ParameterSection &section)
       "(K + kappa_G)/2 e^ab (O,a x O,b).O, which is only reported, and the spontaneous curvature.");
   section.number("Domain tilt ratio", domain_tilt, Range::positive(), dimensions::none,
                  "Tilt modulus inside a `lipid domain` over that of the membrane. 1: the same.");
-  section.number("Domain bending ratio", domain_bending, Range::positive(), dimensions::none,
-                 "Bending modulus K inside a `lipid domain` over that of the membrane. 1: the same. The Gaussian modulus "
-                 "is the same on both sides.");
+  section.number(
+      "Domain bending ratio", domain_bending, Range::positive(), dimensions::none,
+      "Bending modulus K inside a `lipid domain` over that of the membrane. 1: the same. The Gaussian modulus "
+      "is the same on both sides.");
   section.choice(
       "Shear", shear, {"mixed", "direct"},
       "mixed: the force that holds the tilt is a field of its own, for any tilt modulus. direct: without it; loses "
