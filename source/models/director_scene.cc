@@ -109,7 +109,7 @@ void DirectorScene::check_domain() const
 bool DirectorScene::splits_domain() const
 {
   return VesicleScene::splits_domain() ||
-         (has_effect("lipid domain") && find<DirectorEffect>()->parameters.shear_jumps());
+         (has_effect("lipid domain") && find<DirectorEffect>()->parameters.has_shear_field());
 }
 
 void DirectorScene::check_time() const

@@ -6,11 +6,11 @@
 #include <pellicle/models/director_scene.h>
 #include <pellicle/potentials/constraints/lipid_domain.h>
 #include <pellicle/potentials/director/director_effect.h>
-#include <pellicle/potentials/edges/gaussian_curvature.h>
 #include <pellicle/potentials/edges/line_tension.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace
@@ -26,14 +26,10 @@ struct Mesh
   int degree, refinements;
 };
 
-DirectorScene scene_of(const std::vector<std::string> &effects, const Mesh &mesh, const double area_fraction)
+DirectorScene scene_of(const std::vector<std::string> &effects)
 {
   DirectorScene scene;
   list_effects(scene, director_effects(), effects, {});
-  scene.mesh.symmetry                                       = mesh.symmetry;
-  scene.mesh.degree                                         = mesh.degree;
-  scene.mesh.refinements                                    = mesh.refinements;
-  effect<LipidDomainEffect>(scene).parameters.area_fraction = area_fraction;
   return scene;
 }
 
@@ -44,35 +40,66 @@ struct Moduli
   double k_t_domain, K_domain;
 };
 
+void set_moduli(DirectorScene &scene, const Moduli &moduli)
+{
+  DirectorParameters &law = effect<DirectorEffect>(scene).parameters;
+  law.tilt_modulus        = moduli.k_t;
+  law.bending_modulus     = moduli.K;
+  law.domain_tilt         = std::isinf(moduli.k_t) ? 1. : moduli.k_t_domain / moduli.k_t;
+  law.domain_bending      = moduli.K_domain / moduli.K;
+}
+
 /** The unit sphere. */
 DirectorScene held_sphere(const Moduli &moduli, const double area_fraction, const Mesh &mesh)
 {
-  DirectorScene scene       = scene_of({"director", "lipid domain"}, mesh, area_fraction);
-  scene.vesicle.start_shape = "ellipsoid";
-  scene.vesicle.semi_axes   = {1., 1., 1.};
-  scene.carrier.motion      = "held";
-  DirectorParameters &law   = effect<DirectorEffect>(scene).parameters;
-  law.tilt_modulus          = moduli.k_t;
-  law.bending_modulus       = moduli.K;
-  law.domain_tilt           = std::isinf(moduli.k_t) ? 1. : moduli.k_t_domain / moduli.k_t;
-  law.domain_bending        = moduli.K_domain / moduli.K;
+  DirectorScene scene                                       = scene_of({"director", "lipid domain"});
+  scene.vesicle.start_shape                                 = "ellipsoid";
+  scene.vesicle.semi_axes                                   = {1., 1., 1.};
+  scene.carrier.motion                                      = "held";
+  scene.mesh.symmetry                                       = mesh.symmetry;
+  scene.mesh.degree                                         = mesh.degree;
+  scene.mesh.refinements                                    = mesh.refinements;
+  effect<LipidDomainEffect>(scene).parameters.area_fraction = area_fraction;
+  set_moduli(scene, moduli);
   return scene;
 }
 
-// Normal directors: K/R^2 per area on either side, and the jump of the null term times the solid angle of the domain.
-TEST(DirectorDomain, NormalDirectorsOnTheHeldSphere)
+// Normal directors, with which the models start: K/R^2 per area on either side, and the jump of the null term times the
+// solid angle of the domain.
+TEST(DirectorDomain, NormalDirectorsOnTheSphere)
 {
   constexpr double f = 0.3, K = 2., K_domain = 5.;
-  for (const Mesh mesh : {Mesh{"axial", 4, 3}, Mesh{"none", 3, 0}})
+  for (const Mesh mesh : {Mesh{"axial", 4, 3}, Mesh{"none", 3, 1}})
   {
-    const Solved solved(held_sphere({infinity, K, infinity, K_domain}, f, mesh));
+    Communicator communicator;
+    Timing timing;
+    const SurfaceModel model(held_sphere({infinity, K, infinity, K_domain}, f, mesh), communicator, timing);
+    const double tolerance = mesh.degree == 4 ? 2e-6 : 3e-3; // the normals at the nodes are those of the mesh
+    EXPECT_LT(relative_error(quantity(model, "director_gradient_energy"), 4. * pi * (K + f * (K_domain - K))),
+              tolerance);
+    EXPECT_LT(relative_error(quantity(model, "domain_null_lagrangian_energy"), 4. * pi * f * (K_domain - K)),
+              tolerance);
+    EXPECT_LT(relative_error(quantity(model, "null_lagrangian_energy"), 4. * pi * K), tolerance);
+  }
+}
+
+// They are no equilibrium: the moments of the two sides differ, and tilt balances them in a layer of width sqrt(K/k_t),
+// with k_t = inf of a cell.
+TEST(DirectorDomain, LayerAtTheLineOfAHeldSphere)
+{
+  constexpr double K = 2., K_domain = 5., f = 0.3, normal = 4. * pi * (K + 2. * f * (K_domain - K));
+  double previous = 0.;
+  for (const int refinements : {2, 3, 4})
+  {
+    const Solved solved(held_sphere({infinity, K, infinity, K_domain}, f, {"axial", 4, refinements}));
     ASSERT_TRUE(solved.result.converged) << solved.result.failure;
-    const double tolerance = mesh.degree == 4 ? 1e-9 : 2e-4;
-    EXPECT_LT(relative_error(solved.quantity("director_gradient_energy"), 4. * pi * (K + f * (K_domain - K))),
-              tolerance);
-    EXPECT_LT(relative_error(solved.quantity("domain_null_lagrangian_energy"), 4. * pi * f * (K_domain - K)),
-              tolerance);
-    EXPECT_LT(relative_error(solved.quantity("null_lagrangian_energy"), 4. * pi * K), tolerance);
+    const double gain = normal - solved.quantity("total_energy");
+    EXPECT_GT(gain, 0.);
+    if (refinements > 2)
+    {
+      EXPECT_NEAR(previous / gain, 2., 0.1);
+    }
+    previous = gain;
   }
 }
 
@@ -97,9 +124,10 @@ void expect_held(const Held &exact, const Mesh &mesh, const double tolerance, co
   ASSERT_TRUE(solved.result.converged) << solved.result.failure;
   const double total = exact.tilt + exact.gradient + exact.null;
   EXPECT_LT(relative_error(solved.quantity("total_energy"), total), tolerance);
-  EXPECT_NEAR(solved.quantity("tilt_energy"), exact.tilt, tolerance * total);
-  EXPECT_NEAR(solved.quantity("director_gradient_energy"), exact.gradient, tolerance * total);
-  EXPECT_NEAR(solved.quantity("domain_null_lagrangian_energy"), exact.null, tolerance * total);
+  // Of first order in the error of the solution.
+  EXPECT_NEAR(solved.quantity("tilt_energy"), exact.tilt, 10. * tolerance * total);
+  EXPECT_NEAR(solved.quantity("director_gradient_energy"), exact.gradient, 10. * tolerance * total);
+  EXPECT_NEAR(solved.quantity("domain_null_lagrangian_energy"), exact.null, 10. * tolerance * total);
 }
 
 TEST(DirectorDomain, HeldSphere)
@@ -113,13 +141,13 @@ TEST(DirectorDomain, HeldSphere)
 
 TEST(DirectorDomain, HeldSphereInSpace)
 {
-  expect_held(stiff_domain, {"none", 3, 0}, 1e-4);
-  expect_held(soft_domain, {"none", 3, 0}, 1e-4);
+  expect_held(stiff_domain, {"none", 3, 0}, 1e-5);
+  expect_held(soft_domain, {"none", 3, 1}, 4e-6);
 }
 
-/** A vesicle with a domain and line tension; `effects` hold its bending energy. */
+/** A vesicle of area 4 pi and reduced volume 0.9 with a domain and a line tension of 1. */
 template <typename Scene>
-void make_vesicle(Scene &scene, const Mesh &mesh)
+Scene vesicle_with_domain(Scene scene, const Mesh &mesh)
 {
   scene.vesicle.start_shape                                 = "prolate";
   scene.vesicle.reduced_volume                              = 0.9;
@@ -128,58 +156,71 @@ void make_vesicle(Scene &scene, const Mesh &mesh)
   scene.mesh.refinements                                    = mesh.refinements;
   effect<LipidDomainEffect>(scene).parameters.area_fraction = 0.15;
   effect<LineTensionEffect>(scene).parameters.line_tension  = 1.;
+  return scene;
+}
+
+DirectorScene director_vesicle(const Moduli &moduli, const Mesh &mesh, const std::string &shear = "mixed")
+{
+  DirectorScene scene = vesicle_with_domain(
+      scene_of({"director", "lipid domain", "line tension", "area constraint", "volume constraint"}), mesh);
+  set_moduli(scene, moduli);
+  effect<DirectorEffect>(scene).parameters.shear = shear;
+  return scene;
 }
 
 // In the limit of normal directors the model is that of Helfrich, with one Gaussian modulus on both sides.
 TEST(DirectorDomain, NormalDirectorsAreTheHelfrichModel)
 {
   constexpr double K = 1., K_domain = 2.5;
-  const std::vector<std::string> common{"lipid domain", "line tension", "area constraint", "volume constraint"};
-  std::vector<std::string> of_helfrich{"helfrich bending"}, of_directors{"director"};
-  of_helfrich.insert(of_helfrich.end(), common.begin(), common.end());
-  of_directors.insert(of_directors.end(), common.begin(), common.end());
   const Mesh mesh{"axial", 4, 3};
-
-  VesicleScene helfrich = scene_with(of_helfrich);
-  make_vesicle(helfrich, mesh);
+  VesicleScene helfrich = vesicle_with_domain(
+      scene_with({"helfrich bending", "lipid domain", "line tension", "area constraint", "volume constraint"}), mesh);
   effect<LipidDomainEffect>(helfrich).parameters.bending_rigidity = K_domain;
   const Solved exact(helfrich);
   ASSERT_TRUE(exact.result.converged) << exact.result.failure;
 
-  const auto compare = [&](const double k_t, const double tolerance)
+  const Solved solved(director_vesicle({infinity, K, infinity, K_domain}, mesh));
+  ASSERT_TRUE(solved.result.converged) << solved.result.failure;
+  // (K/2)|grad O|^2 is (K/2)(2H)^2 without K K_G, of which the jump at the line is there.
+  EXPECT_LT(relative_error(solved.quantity("total_energy") + 4. * pi * K, exact.quantity("total_energy")), 1e-9);
+  EXPECT_NEAR(solved.quantity("domain_boundary_length"), exact.quantity("domain_boundary_length"), 1e-5);
+  EXPECT_NEAR(solved.quantity("height"), exact.quantity("height"), 1e-5);
+  for (const char *force : {"pressure", "tension", "domain_tension"})
+    EXPECT_NEAR(solved.quantity(force), exact.quantity(force), 1e-4) << force;
+}
+
+// The surface has a kink at the line, for the line tension pulls along n as well and the tilt bears it. The two forms
+// of the shear are different discretisations, and agree.
+TEST(DirectorDomain, ShearJumpsAtTheLineOfAVesicle)
+{
+  for (const Moduli &moduli : {Moduli{40., 1., 40., 2.}, {40., 1., 200., 2.}})
   {
-    SCOPED_TRACE("k_t = " + std::to_string(k_t));
-    DirectorScene scene = scene_of(of_directors, mesh, 0.15);
-    make_vesicle(scene, mesh);
-    DirectorParameters &law = effect<DirectorEffect>(scene).parameters;
-    law.tilt_modulus        = k_t;
-    law.bending_modulus     = K;
-    law.domain_bending      = K_domain / K;
-    law.domain_tilt         = 2.;
-    const Solved solved(scene);
-    ASSERT_TRUE(solved.result.converged) << solved.result.failure;
-    // (K/2)|grad O|^2 is (K/2)(2H)^2 without K K_G, of which the jump at the line is there.
-    EXPECT_LT(relative_error(solved.quantity("total_energy") + 4. * pi * K, exact.quantity("total_energy")), tolerance);
-    EXPECT_NEAR(solved.quantity("domain_boundary_length"), exact.quantity("domain_boundary_length"), 10. * tolerance);
-    EXPECT_NEAR(solved.quantity("height"), exact.quantity("height"), 10. * tolerance);
-    EXPECT_NEAR(solved.quantity("pressure"), exact.quantity("pressure"), 1e3 * tolerance);
-    EXPECT_NEAR(solved.quantity("domain_tension"), exact.quantity("domain_tension"), 1e3 * tolerance);
-  };
-  compare(infinity, 1e-6);
-  compare(1e4, 1e-2);
+    SCOPED_TRACE("k_t of the domain " + std::to_string(moduli.k_t_domain));
+    const Mesh mesh{"axial", 3, 4};
+    const Solved mixed(director_vesicle(moduli, mesh)), direct(director_vesicle(moduli, mesh, "direct"));
+    ASSERT_TRUE(mixed.result.converged && direct.result.converged);
+    EXPECT_LT(relative_error(mixed.quantity("total_energy"), direct.quantity("total_energy")), 1e-10);
+    EXPECT_NEAR(mixed.quantity("tilt_energy"), direct.quantity("tilt_energy"), 1e-7);
+    EXPECT_NEAR(mixed.quantity("domain_boundary_length"), direct.quantity("domain_boundary_length"), 1e-6);
+    EXPECT_NEAR(mixed.quantity("domain_tension"), direct.quantity("domain_tension"), 1e-5);
+
+    const Solved in_space(director_vesicle(moduli, {"none", 3, 0}));
+    ASSERT_TRUE(in_space.result.converged) << in_space.result.failure;
+    EXPECT_LT(relative_error(in_space.quantity("total_energy"), mixed.quantity("total_energy")), 1e-4);
+    EXPECT_NEAR(in_space.quantity("domain_boundary_length"), mixed.quantity("domain_boundary_length"), 1e-2);
+  }
 }
 
 TEST(DirectorDomain, WhatIsRefused)
 {
-  DirectorScene scene;
-  list_effects(scene, director_effects(), {"director"}, {});
+  DirectorScene scene                                     = scene_of({"director"});
   scene.carrier.motion                                    = "held";
   effect<DirectorEffect>(scene).parameters.domain_bending = 3.;
   EXPECT_USER_ERROR(scene.check(), "Domain bending ratio = 3", "lipid domain");
 
   DirectorScene listed                                          = held_sphere({1., 1., 1., 1.}, 0.2, {"axial", 3, 2});
   effect<LipidDomainEffect>(listed).parameters.bending_rigidity = 3.;
-  EXPECT_USER_ERROR(listed.check(), "Lipid domain/Bending rigidity", "Director/Domain bending ratio");
+  EXPECT_USER_ERROR(listed.check(), "Lipid domain/Bending rigidity", "Domain bending ratio");
   effect<LipidDomainEffect>(listed).parameters.bending_rigidity = 1.;
   listed.carrier.shape                                          = "inclusion";
   EXPECT_USER_ERROR(listed.check(), "Surface/Shape", "vesicle");

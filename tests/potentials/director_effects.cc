@@ -228,11 +228,6 @@ TEST(DirectorEffects, DomainHasModuliOfItsOwn)
   same(6, *alone.energies[2]);
   for (const auto &energy : alone.energies)
     EXPECT_EQ(energy->where().part, Where::Part::surface);
-
-  EXPECT_TRUE(director.parameters.shear_jumps());
-  EXPECT_FALSE(in_domain.parameters.shear_jumps());
-  director.parameters.tilt_modulus = std::numeric_limits<double>::infinity();
-  EXPECT_FALSE(director.parameters.shear_jumps()) << "the directors are normal on both sides";
 }
 
 // dE/dk_t counts the domain by its ratio.

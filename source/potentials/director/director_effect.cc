@@ -70,9 +70,9 @@ void DirectorParameters::bind(ParameterSection &section)
       "accuracy as k_t h^2/K grows above 1, h the distance of nodes.");
 }
 
-bool DirectorParameters::shear_jumps() const
+bool DirectorParameters::has_shear_field() const
 {
-  return domain_tilt != 1. && tilt_modulus > 0. && std::isfinite(tilt_modulus) && shear == "mixed";
+  return tilt_modulus > 0. && shear == "mixed";
 }
 
 std::vector<DirectorLaw> DirectorParameters::laws() const

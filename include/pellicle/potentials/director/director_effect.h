@@ -17,8 +17,8 @@ struct DirectorParameters
   void bind(ParameterSection &section);
   /** Whether a lipid domain differs from the rest. */
   bool has_domain() const { return domain_tilt != 1. || domain_bending != 1.; }
-  /** Whether the shear k_t O_tan is a field, and jumps at the line around the domain. */
-  bool shear_jumps() const;
+  /** Whether the shear k_t O_tan is a field of its own. */
+  bool has_shear_field() const;
   /** By region: that of the membrane, and where it differs that of the domain. */
   std::vector<DirectorLaw> laws() const;
 };
