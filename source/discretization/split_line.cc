@@ -33,6 +33,8 @@ SurfaceDiscretization split_along(SurfaceDiscretization surface, const std::stri
     append(surface.positions, original);
     if (!surface.mesh_reference.empty())
       append(surface.mesh_reference, original);
+    for (auto &field : surface.start_values)
+      append(field.second, original);
     if (!surface.admissible.empty())
       surface.admissible.push_back(surface.admissible[original]);
   }

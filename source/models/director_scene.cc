@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/body_nodes.h>
+#include <pellicle/base/exact_text.h>
 #include <pellicle/discretization/point_walk.h>
 #include <pellicle/models/director_defects.h>
 #include <pellicle/models/director_scene.h>
@@ -7,6 +8,7 @@
 #include <pellicle/models/relaxation_system.h>
 #include <pellicle/models/surface_model.h>
 #include <pellicle/models/surface_motion.h>
+#include <pellicle/potentials/constraints/lipid_domain.h>
 #include <pellicle/potentials/director/director_effect.h>
 #include <pellicle/potentials/director/director_fields.h>
 #include <pellicle/potentials/dissipations/director_friction.h>
@@ -78,8 +80,35 @@ void DirectorScene::check() const
   if (has_inclusion() && std::isinf(find<DirectorEffect>()->parameters.tilt_modulus))
     throw UserError("Director/Tilt modulus = inf: directors that stay normal cannot be tilted at an inclusion. Take a "
                     "finite modulus, or Surface/Shape = vesicle.");
+  check_domain();
   VesicleScene::check();
   check_time();
+}
+
+void DirectorScene::check_domain() const
+{
+  const DirectorParameters &law = find<DirectorEffect>()->parameters;
+  const auto *domain            = find<LipidDomainEffect>();
+  if (domain == nullptr && law.has_domain())
+    throw UserError("Director/Domain tilt ratio = " + exact_text(law.domain_tilt) + " and Domain bending ratio = " +
+                    exact_text(law.domain_bending) +
+                    ": there is no domain. Add 'lipid domain' to Effects, or leave both at 1.");
+  if (domain != nullptr && has_inclusion())
+    throw UserError("The effect 'lipid domain' starts around the north pole of a closed surface: it needs Surface/Shape "
+                    "= vesicle.");
+  const LipidDomainParameters none;
+  if (domain != nullptr && !has_effect("helfrich bending") &&
+      (domain->parameters.bending_rigidity != none.bending_rigidity ||
+       domain->parameters.spontaneous_curvature != none.spontaneous_curvature))
+    throw UserError("Lipid domain/Bending rigidity and Spontaneous curvature are those of 'helfrich bending', which "
+                    "Effects does not list: directors in the domain have Director/Domain tilt ratio and Domain bending "
+                    "ratio.");
+}
+
+bool DirectorScene::splits_domain() const
+{
+  return VesicleScene::splits_domain() ||
+         (has_effect("lipid domain") && find<DirectorEffect>()->parameters.shear_jumps());
 }
 
 void DirectorScene::check_time() const

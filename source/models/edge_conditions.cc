@@ -95,10 +95,15 @@ NodalConditions edge_conditions(const SurfaceDiscretization &discretization, con
     else
       set_all(conditions["moment"], discretization, loop, held());
   }
-  // Both sides of a split line are at the same place and have the same conormal; their moments are their own.
+  // Both sides of a split line are at the same place and have the same conormal and director; the shear that directors
+  // exert is each one's own, and moments are where Gaussian moduli differ.
   for (const auto &[copy, original] : discretization.twins)
-    for (const char *field : {"position", "edge conormal"})
+  {
+    for (const char *field : {"position", "edge conormal", "director"})
       follow(conditions[field], discretization, copy, original);
+    if (targets.gaussian_difference == 0.)
+      follow(conditions["moment"], discretization, copy, original);
+  }
   return conditions;
 }
 

@@ -114,9 +114,14 @@ const RidgeTargets &SceneTargets::soft_substrate() const
 
 const DirectorLaw &SceneTargets::director_law() const
 {
-  if (!directors)
+  if (directors.empty())
     throw UserError("The effects of directors other than 'director' need it besides them: add 'director' to Effects.");
-  return *directors;
+  return directors[0];
+}
+
+Where SceneTargets::region_of_directors(const std::size_t law) const
+{
+  return directors.size() == 1 ? Where{} : Where{Where::Part::region, region_name(law)};
 }
 
 const ShellTargets &SceneTargets::shell_targets() const

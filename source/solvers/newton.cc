@@ -25,6 +25,9 @@ constexpr double constraint_tolerance = 1e-11; // relative
 constexpr double stagnation_displacement =
     1e-8; // relative displacement that counts as round-off if the residual is small too
 constexpr double stagnation_residual = 1e-6;
+// An undamped step that moves nothing, where the residual is all round-off: a thin shell under a very small load.
+constexpr double no_displacement       = 1e-12;
+constexpr double residual_of_round_off = 1e-3;
 } // namespace
 
 void NewtonParameters::bind(ParameterSection &section)
@@ -83,8 +86,10 @@ NewtonResult Newton::solve(EquilibriumProblem &problem, const int step, Observer
       report.energy            = problem.energy();
       observer.on_iteration(report);
     }
-    const bool balanced     = problem.constraint_violation() < constraint_tolerance;
-    const bool at_round_off = last_move < stagnation_displacement && result.relative_residual < stagnation_residual;
+    const bool balanced = problem.constraint_violation() < constraint_tolerance;
+    const bool at_round_off =
+        (last_move < stagnation_displacement && result.relative_residual < stagnation_residual) ||
+        (last_move < no_displacement && drag == 0. && result.relative_residual < residual_of_round_off);
     if (balanced && (result.relative_residual < parameters.tolerance || at_round_off))
     {
       result.converged = true;

@@ -195,6 +195,67 @@ TEST(DirectorEffects, InPlaneDirectors)
   EXPECT_USER_ERROR(contributions(scales, {&in_plane}, SceneTargets{}), "add 'director' to Effects");
 }
 
+// Energies of either region, in units of its moduli, and the jump of the null term inside the domain.
+TEST(DirectorEffects, DomainHasModuliOfItsOwn)
+{
+  const Scales scales{0.2, 5.};
+  DirectorEffect director, in_domain;
+  director.parameters  = {30., 4., -0.8, "mixed", 0.5, 3.};
+  in_domain.parameters = {15., 12., -0.8, "mixed"};
+  SpontaneousDirectorCurvatureEffect curvature;
+  curvature.parameters.spontaneous_curvature = 0.7;
+  const PotentialSet set   = contributions(scales, {&director, &curvature}, targets_with(0.3)),
+                     alone = contributions(scales, {&in_domain, &curvature}, targets_with(0.3));
+  const std::vector<const char *> names{"tilt", "director gradient", "tilt", "director gradient",
+                                        "domain null lagrangian", "spontaneous director curvature",
+                                        "spontaneous director curvature"};
+  ASSERT_EQ(set.energies.size(), names.size());
+  for (std::size_t e = 0; e < names.size(); ++e)
+  {
+    EXPECT_EQ(set.energies[e]->name(), names[e]);
+    EXPECT_EQ(set.energies[e]->where().part, Where::Part::region);
+    EXPECT_EQ(set.energies[e]->where().name, region_name(e < 2 || e == 5 ? 0 : 1));
+  }
+  const auto same = [&](const std::size_t e, const Potential &expected)
+  { EXPECT_NEAR(value_at_a_point(*set.energies[e]), value_at_a_point(expected), 1e-14) << e; };
+  same(2, *alone.energies[0]);
+  same(3, *alone.energies[1]);
+  same(4, *null_lagrangian({0., 8. / 5., 0.}));
+  same(6, *alone.energies[2]);
+  for (const auto &energy : alone.energies)
+    EXPECT_EQ(energy->where().part, Where::Part::surface);
+
+  EXPECT_TRUE(director.parameters.shear_jumps());
+  EXPECT_FALSE(in_domain.parameters.shear_jumps());
+  director.parameters.tilt_modulus = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(director.parameters.shear_jumps()) << "the directors are normal on both sides";
+}
+
+// dE/dk_t counts the domain by its ratio.
+TEST(DirectorEffects, DerivativeInTheDomain)
+{
+  constexpr double step = 1e-3, k_t = 3.;
+  for (const std::string shear : {"mixed", "direct"})
+  {
+    const auto energy_at = [&](const double value)
+    {
+      DirectorEffect effect;
+      effect.parameters = {value, 1., 0., shear, 4.};
+      return contributions(Scales{0.2, 5.}, {&effect}, targets_with(0.01)).energies[2];
+    };
+    DirectorEffect effect;
+    effect.parameters    = {k_t, 1., 0., shear, 4.};
+    SceneTargets targets = targets_with(0.01);
+    effect.prepare(Scales{0.2, 5.}, targets);
+    const auto derivatives = effect.derivatives(Scales{0.2, 5.}, targets);
+    ASSERT_EQ(derivatives.size(), 2u);
+    EXPECT_EQ(derivatives[1].energy->where().name, region_name(1));
+    const double difference =
+        (value_at_a_point(*energy_at(k_t + step)) - value_at_a_point(*energy_at(k_t - step))) / (2. * step);
+    EXPECT_NEAR(value_at_a_point(*derivatives[1].energy), difference, 1e-6 * std::abs(difference)) << shear;
+  }
+}
+
 TEST(DirectorEffects, WhatIsRefused)
 {
   DirectorEffect director;

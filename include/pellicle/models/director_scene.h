@@ -40,6 +40,8 @@ public:
   TimeParameters time;
 
   void check() const override;
+  /** The moment, or the shear of directors. */
+  bool splits_domain() const override;
   SurfaceDiscretization start_mesh() const override;
   std::map<std::string, std::vector<Vector3<double>>> rim_conormals(const SurfaceDiscretization &start) const override;
   std::vector<SceneEdge> edges() const override;
@@ -59,6 +61,7 @@ private:
   bool has_inclusion() const { return has_inclusions(carrier.shape); }
   bool is_held() const { return carrier.motion == "held"; }
   void check_time() const;
+  void check_domain() const;
   InclusionMembrane around_inclusions() const;
 };
 } // namespace pellicle

@@ -60,8 +60,8 @@ public:
   StartShape start_shape() const;
   /** The reference shape of elastic skins, on the same mesh; none if it is the start shape. */
   std::optional<StartShape> reference_shape() const;
-  /** Whether the moment jumps across the line around a domain, so that the mesh must be split there. */
-  bool splits_domain() const;
+  /** Whether a field jumps across the line around a domain, here the moment, so that the mesh must be split there. */
+  virtual bool splits_domain() const;
 
   SurfaceDiscretization start_mesh() const override;
   NodeNoise node_noise() const override { return {vesicle.node_noise, vesicle.random_seed}; }

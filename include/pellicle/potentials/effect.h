@@ -136,10 +136,13 @@ struct SceneTargets
   /** Where the directors start, at every quadrature point, for what is carried along from there; null while a scene is
    * only checked. */
   std::shared_ptr<const std::vector<DirectorPoint>> director_start = nullptr;
-  /** Of scenes with directors. */
-  std::optional<DirectorLaw> directors = std::nullopt;
-  /** The same for effects that need them. Throws UserError if the scene has none. */
+  /** Directors by region (0: the membrane outside all other regions); one law for all if they do not differ, empty
+   * without directors. */
+  std::vector<DirectorLaw> directors = {};
+  /** Region 0 of it, for effects that need directors. Throws UserError if the scene has none. */
   const DirectorLaw &director_law() const;
+  /** Where the law of that number holds. */
+  Where region_of_directors(std::size_t law) const;
 };
 
 /**

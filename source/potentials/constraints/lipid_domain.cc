@@ -41,9 +41,11 @@ void LipidDomainEffect::prepare(const Scales &scales, SceneTargets &targets) con
 
 void LipidDomainEffect::contribute(const Scales & /*scales*/, const SceneTargets &targets, PotentialSet &set) const
 {
-  if (!targets.has_bending())
+  if (!targets.has_bending() && targets.directors.empty())
     throw UserError("The effect 'lipid domain' changes the bending energy on a part of the membrane: add 'helfrich "
                     "bending' to Effects.");
+  if (targets.surface_is_held)
+    return; // nothing changes the area
   Constraint area;
   area.measure =
       std::make_shared<DensityPotential<TotalArea>>(name(), TotalArea{}, Where{Where::Part::region, region_name(1)});
@@ -57,9 +59,13 @@ void LipidDomainEffect::contribute(const Scales & /*scales*/, const SceneTargets
 
 std::vector<ParameterDerivative> LipidDomainEffect::derivatives(const Scales &scales, const SceneTargets &targets) const
 {
+  std::vector<ParameterDerivative> all;
+  if (!targets.surface_is_held)
+    all.push_back({"Lipid domain/Area fraction", nullptr, "domain_area", targets.area});
   const Where domain{Where::Part::region, region_name(1)};
-  return {{"Lipid domain/Spontaneous curvature",
-           spontaneous_curvature_derivative(1. / scales.of(dimensions::curvature), domain), "", 0.},
-          {"Lipid domain/Area fraction", nullptr, "domain_area", targets.area}};
+  if (targets.has_bending())
+    all.push_back({"Lipid domain/Spontaneous curvature",
+                   spontaneous_curvature_derivative(1. / scales.of(dimensions::curvature), domain), "", 0.});
+  return all;
 }
 } // namespace pellicle

@@ -12,7 +12,7 @@ namespace pellicle
 {
 namespace
 {
-const std::string tilt_energy = "tilt", gradient_energy = "director gradient";
+const std::string tilt_energy = "tilt", gradient_energy = "director gradient", domain_energy = "domain null lagrangian";
 
 /** c and d of k_0 = min(c K/h^2, d k_t). On a surface that is held small shares are the most accurate; one that moves
  * needs k_0 above its (negative) tension, or cells wrinkle (doc/numerics.md, "Directors"). */
@@ -58,10 +58,28 @@ void DirectorParameters::bind(ParameterSection &section)
       "Gaussian modulus", gaussian_modulus, Range::any(), dimensions::energy,
       "Gaussian modulus kappa_G = -2 eps_1 of the model with normal directors. It weighs the null Lagrangian "
       "(K + kappa_G)/2 e^ab (O,a x O,b).O, which is only reported, and the spontaneous curvature.");
+  section.number("Domain tilt ratio", domain_tilt, Range::positive(), dimensions::none,
+                 "Tilt modulus inside a `lipid domain` over that of the membrane. 1: the same.");
+  section.number("Domain bending ratio", domain_bending, Range::positive(), dimensions::none,
+                 "Bending modulus K inside a `lipid domain` over that of the membrane. 1: the same. The Gaussian modulus "
+                 "is the same on both sides.");
   section.choice(
       "Shear", shear, {"mixed", "direct"},
       "mixed: the force that holds the tilt is a field of its own, for any tilt modulus. direct: without it; loses "
       "accuracy as k_t h^2/K grows above 1, h the distance of nodes.");
+}
+
+bool DirectorParameters::shear_jumps() const
+{
+  return domain_tilt != 1. && tilt_modulus > 0. && std::isfinite(tilt_modulus) && shear == "mixed";
+}
+
+std::vector<DirectorLaw> DirectorParameters::laws() const
+{
+  std::vector<DirectorLaw> list{{tilt_modulus, bending_modulus, gaussian_modulus}};
+  if (has_domain())
+    list.push_back({domain_tilt * tilt_modulus, domain_bending * bending_modulus, gaussian_modulus});
+  return list;
 }
 
 const std::string &DirectorEffect::name() const
@@ -91,39 +109,52 @@ std::optional<double> DirectorEffect::typical_energy(double /*length*/) const
 
 void DirectorEffect::prepare(const Scales &scales, SceneTargets &targets) const
 {
-  const DirectorParameters p = scaled(parameters, scales);
-  targets.directors          = DirectorLaw{p.tilt_modulus, p.bending_modulus, p.gaussian_modulus};
+  targets.directors = scaled(parameters, scales).laws();
 }
 
 void DirectorEffect::contribute(const Scales & /*scales*/, const SceneTargets &targets, PotentialSet &set) const
 {
-  const DirectorLaw &law = targets.director_law();
-  const bool has_tilt    = law.tilt_modulus > 0.;
-  if (has_tilt && parameters.shear == "mixed")
-    set.energies.push_back(std::make_shared<DensityPotential<MixedTiltEnergy>>(
-        tilt_energy, MixedTiltEnergy{law.tilt_modulus, direct_tilt_modulus(law, targets)}));
-  else if (has_tilt)
-    set.energies.push_back(std::make_shared<DensityPotential<TiltEnergy>>(tilt_energy, TiltEnergy{law.tilt_modulus}));
-  set.energies.push_back(std::make_shared<DensityPotential<DirectorGradientEnergy>>(
-      gradient_energy, DirectorGradientEnergy{law.bending_modulus}));
+  for (std::size_t region = 0; region < targets.directors.size(); ++region)
+  {
+    const DirectorLaw &law = targets.directors[region];
+    const Where where      = targets.region_of_directors(region);
+    const bool is_held     = law.tilt_modulus > 0.;
+    if (is_held && parameters.shear == "mixed")
+      set.energies.push_back(std::make_shared<DensityPotential<MixedTiltEnergy>>(
+          tilt_energy, MixedTiltEnergy{law.tilt_modulus, direct_tilt_modulus(law, targets)}, where));
+    else if (is_held)
+      set.energies.push_back(
+          std::make_shared<DensityPotential<TiltEnergy>>(tilt_energy, TiltEnergy{law.tilt_modulus}, where));
+    set.energies.push_back(std::make_shared<DensityPotential<DirectorGradientEnergy>>(
+        gradient_energy, DirectorGradientEnergy{law.bending_modulus}, where));
+    // mu_2 = mu_2 of the membrane everywhere, which has no variation, and the difference inside the domain.
+    const double difference = law.null_modulus() - targets.director_law().null_modulus();
+    if (difference != 0.)
+      set.energies.push_back(
+          std::make_shared<DensityPotential<NullLagrangian>>(domain_energy, NullLagrangian{difference}, where));
+  }
 }
 
 std::vector<ParameterDerivative> DirectorEffect::derivatives(const Scales &scales, const SceneTargets &targets) const
 {
   if (std::isinf(parameters.tilt_modulus) || parameters.tilt_modulus == 0.)
     return {};
-  const double per_unit = 1. / scales.of(dimensions::tension);
-  std::shared_ptr<const Potential> energy;
-  if (parameters.shear == "direct")
-    energy = std::make_shared<DensityPotential<TiltEnergy>>(tilt_energy, TiltEnergy{per_unit});
-  else
+  const std::vector<DirectorLaw> laws = scaled(parameters, scales).laws();
+  std::vector<ParameterDerivative> all;
+  for (std::size_t region = 0; region < laws.size(); ++region)
   {
-    const DirectorParameters p = scaled(parameters, scales);
-    const DirectorLaw law{p.tilt_modulus, p.bending_modulus, p.gaussian_modulus};
-    energy = std::make_shared<DensityPotential<MixedTiltDerivative>>(
-        tilt_energy, MixedTiltDerivative{per_unit, law.tilt_modulus, direct_tilt_modulus(law, targets)});
+    const DirectorLaw &law = laws[region];
+    const Where where      = targets.region_of_directors(region);
+    const double factor    = law.tilt_modulus / laws[0].tilt_modulus / scales.of(dimensions::tension);
+    std::shared_ptr<const Potential> energy;
+    if (parameters.shear == "direct")
+      energy = std::make_shared<DensityPotential<TiltEnergy>>(tilt_energy, TiltEnergy{factor}, where);
+    else
+      energy = std::make_shared<DensityPotential<MixedTiltDerivative>>(
+          tilt_energy, MixedTiltDerivative{factor, law.tilt_modulus, direct_tilt_modulus(law, targets)}, where);
+    all.push_back({"Director/Tilt modulus", energy, "", 0.});
   }
-  return {{"Director/Tilt modulus", energy, "", 0.}};
+  return all;
 }
 
 std::shared_ptr<const std::vector<double>> direct_tilt_modulus(const DirectorLaw &law, const SceneTargets &targets)

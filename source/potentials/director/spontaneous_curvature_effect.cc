@@ -34,7 +34,16 @@ std::string SpontaneousDirectorCurvatureEffect::description() const
 void SpontaneousDirectorCurvatureEffect::contribute(const Scales &scales, const SceneTargets &targets,
                                                     PotentialSet &set) const
 {
-  const DirectorLaw &law = targets.director_law();
+  targets.director_law(); // there are directors
+  for (std::size_t region = 0; region < targets.directors.size(); ++region)
+    add_to_region(region, scales, targets, set);
+}
+
+void SpontaneousDirectorCurvatureEffect::add_to_region(const std::size_t region, const Scales &scales,
+                                                       const SceneTargets &targets, PotentialSet &set) const
+{
+  const DirectorLaw &law = targets.directors[region];
+  const Where where      = targets.region_of_directors(region);
   if (!(law.k_1() > 0.))
     throw UserError("The effect 'spontaneous director curvature' needs Director/Gaussian modulus > -2 Director/Bending "
                     "modulus: with K + kappa_G/2 = " +
@@ -44,27 +53,34 @@ void SpontaneousDirectorCurvatureEffect::contribute(const Scales &scales, const 
   if (parameters.form == "constitutive")
   {
     set.energies.push_back(std::make_shared<DensityPotential<SpontaneousDirectorCurvature>>(
-        name(), SpontaneousDirectorCurvature::of(law, C0)));
+        name(), SpontaneousDirectorCurvature::of(law, C0), where));
     return;
   }
   const auto history = targets.director_start ? std::make_shared<const std::vector<DirectorHistory>>(isotropic_history(
                                                     *targets.director_start, law.isotropic_curvature(C0)))
                                               : nullptr;
   set.energies.push_back(std::make_shared<DensityPotential<TransportedDirectorCurvature>>(
-      name(), TransportedDirectorCurvature{0.5 * law.bending_modulus, 0.5 * law.null_modulus(), history}));
+      name(), TransportedDirectorCurvature{0.5 * law.bending_modulus, 0.5 * law.null_modulus(), history}, where));
 }
 
 std::vector<ParameterDerivative> SpontaneousDirectorCurvatureEffect::derivatives(const Scales &scales,
                                                                                  const SceneTargets &targets) const
 {
-  if (parameters.form != "constitutive" || !targets.directors)
+  if (parameters.form != "constitutive")
     return {};
-  const double C0                   = scaled(parameters, scales).spontaneous_curvature;
-  SpontaneousDirectorCurvature rate = SpontaneousDirectorCurvature::rate_of(*targets.directors, C0);
-  const double per_unit             = 1. / scales.of(dimensions::curvature);
-  for (double *coefficient : {&rate.divergence, &rate.permutation, &rate.projection, &rate.normal_part})
-    *coefficient *= per_unit;
-  return {{"Spontaneous director curvature/Spontaneous curvature",
-           std::make_shared<DensityPotential<SpontaneousDirectorCurvature>>(name(), rate), "", 0.}};
+  const double C0       = scaled(parameters, scales).spontaneous_curvature;
+  const double per_unit = 1. / scales.of(dimensions::curvature);
+  std::vector<ParameterDerivative> all;
+  for (std::size_t region = 0; region < targets.directors.size(); ++region)
+  {
+    SpontaneousDirectorCurvature rate = SpontaneousDirectorCurvature::rate_of(targets.directors[region], C0);
+    for (double *coefficient : {&rate.divergence, &rate.permutation, &rate.projection, &rate.normal_part})
+      *coefficient *= per_unit;
+    all.push_back({"Spontaneous director curvature/Spontaneous curvature",
+                   std::make_shared<DensityPotential<SpontaneousDirectorCurvature>>(
+                       name(), rate, targets.region_of_directors(region)),
+                   "", 0.});
+  }
+  return all;
 }
 } // namespace pellicle

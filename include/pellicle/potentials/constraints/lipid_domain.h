@@ -16,7 +16,7 @@ struct LipidDomainParameters
 
 /**
  * The effect "lipid domain": a patch of other lipids around the north pole of the start shape, with its own rigidity
- * and spontaneous curvature. Its area is held, its boundary moves within the membrane: so the domain is no property of
+ * and spontaneous curvature; a membrane with directors has moduli of the domain in section Director. Its area is held, its boundary moves within the membrane: so the domain is no property of
  * material points, and tangential motion stays a gauge everywhere but across that line (contract 5). The multiplier of
  * the domain's area is the difference of tensions: inside the domain the tension is sigma + domain_tension.
  * (Juelicher and Lipowsky, Phys. Rev. E 53, 2670 (1996).)

@@ -11,14 +11,23 @@ struct DirectorParameters
   double bending_modulus  = 1.;
   double gaussian_modulus = 0.;
   std::string shear       = "mixed";
+  double domain_tilt      = 1.; ///< k_t inside a lipid domain over that outside
+  double domain_bending   = 1.; ///< K inside over K outside
 
   void bind(ParameterSection &section);
+  /** Whether a lipid domain differs from the rest. */
+  bool has_domain() const { return domain_tilt != 1. || domain_bending != 1.; }
+  /** Whether the shear k_t O_tan is a field, and jumps at the line around the domain. */
+  bool shear_jumps() const;
+  /** By region: that of the membrane, and where it differs that of the domain. */
+  std::vector<DirectorLaw> laws() const;
 };
 
 /**
  * The effect "director": the energies "tilt" (k_t/2) |O_tan|^2 and "director gradient" (K/2) |grad O|^2
- * of (23) of Hu, Zhang & E 2007, the former unless k_t = 0. The null Lagrangian is not among them; see
- * null_lagrangian().
+ * of (23) of Hu, Zhang & E 2007, the former unless k_t = 0. The null Lagrangian is not among them, see
+ * null_lagrangian(); but where its weight mu_2 jumps at a line, the jump times its integral over the domain, the energy
+ * "domain null lagrangian", which depends on the directors of the line alone.
  */
 class DirectorEffect : public Effect
 {

@@ -29,5 +29,8 @@ public:
   void contribute(const Scales &scales, const SceneTargets &targets, PotentialSet &set) const override;
 
   SpontaneousDirectorCurvatureParameters parameters;
+
+private:
+  void add_to_region(std::size_t region, const Scales &scales, const SceneTargets &targets, PotentialSet &set) const;
 };
 } // namespace pellicle
