@@ -246,7 +246,8 @@ SurfaceSample SurfaceModel::sample() const
   for (std::size_t f = 1; f < state.fields.size(); ++f)
     if (const Field &field = problem->layout().fields()[f];
         field.space != FieldSpace::bulk_scalars && field.space != FieldSpace::lower_degree_vectors)
-      fields.push_back({field.name, 3, scaled_values(of_surface(state.fields[f]), unit.of(dimension_of(field)))});
+      fields.push_back({field.name == shell_director ? std::string(director) : field.name, 3,
+                        scaled_values(of_surface(state.fields[f]), unit.of(dimension_of(field)))});
   if (problem->layout().has(director))
     fields.push_back({"tilt", 3,
                       tilt(of_surface(state.fields[problem->layout().index(director)]),
