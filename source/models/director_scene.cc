@@ -47,7 +47,8 @@ void DirectorFieldParameters::bind(ParameterSection &section)
   section.choice("Start", start, director_start_names(),
                  "Directors at the start. normal: the unit normals n. turned: n turned about the z axis by Angle. "
                  "towards z: tilted towards +z by Angle times the sine of the normal's polar angle. meridional, "
-                 "azimuthal: in the surface, in the plane of n and z or at right angles to it.");
+                 "azimuthal: in the surface, in the plane of n and z or at right angles to it. With "
+                 "Director/Tilt modulus = inf always normal, but for the noise.");
   section.number("Angle", angle, Range::between(-3.2, 3.2), dimensions::none, "Angle in radians, see Start.");
   section.number("Noise", noise, Range::between(0., 0.5), dimensions::none,
                  "Random part of the directors at the start: uniform in [-f, f] in each component.");
@@ -162,7 +163,10 @@ InclusionMembrane DirectorScene::around_inclusions() const
 SurfaceDiscretization DirectorScene::start_mesh() const
 {
   SurfaceDiscretization mesh = has_inclusion() ? around_inclusions().mesh(start_shape()) : VesicleScene::start_mesh();
-  NodalVectors directors     = start_directors(mesh, field.start, field.angle);
+  // Without tilt only normals are admissible; from far off multipliers at full steps do not lead back to them.
+  const auto *effect     = find<DirectorEffect>();
+  const bool is_normal   = effect != nullptr && std::isinf(effect->parameters.tilt_modulus);
+  NodalVectors directors = start_directors(mesh, is_normal ? "normal" : field.start, field.angle);
   add_director_noise(mesh, field.noise, field.random_seed, directors);
   if (has_inclusion())
     around_inclusions().tilt(mesh, start_shape(), directors);
