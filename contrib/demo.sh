@@ -33,7 +33,7 @@ check_jobs "$jobs"
 
 step "Packages"
 ./contrib/setup_packages.sh
-configure_and_build release "$jobs" vesicle
+configure_and_build release "$jobs" applications
 
 output=build/demo/discocyte
 step "Computing the discocyte (scene prm/vesicle/discocyte.prm, results in $output)"

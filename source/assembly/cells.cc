@@ -55,6 +55,14 @@ std::vector<Cell> own_cells(const SurfaceDiscretization &discretization, const C
   return cells;
 }
 
+std::size_t n_cells_of(const SurfaceDiscretization &discretization, const std::size_t set)
+{
+  const std::size_t n_edges = discretization.edges.size();
+  return set == 0         ? discretization.n_cells
+         : set <= n_edges ? discretization.edges[set - 1].n_cells
+                          : discretization.bulks[set - 1 - n_edges].n_cells;
+}
+
 const ShapeTables &tables_of(const SurfaceDiscretization &discretization, const std::size_t set)
 {
   const std::size_t n_edges = discretization.edges.size();

@@ -50,4 +50,15 @@ std::map<std::size_t, Vector3<double>> nodal_conormals(const SurfaceDiscretizati
     t = normalised(cross(t, vector_at(normals, node)));
   return conormals;
 }
+
+NodalVectors tangential_parts(const NodalVectors &vectors, const NodalVectors &normals)
+{
+  NodalVectors result(vectors.size());
+  for (std::size_t I = 0; 3 * I < vectors.size(); ++I)
+  {
+    const Vector3<double> v = vector_at(vectors, I), n = vector_at(normals, I);
+    set_vector_at(result, I, v - dot(v, n) * n);
+  }
+  return result;
+}
 } // namespace pellicle

@@ -67,7 +67,8 @@ public:
   bool has_unknowns(const std::size_t *nodes, const std::size_t local) const
   {
     const std::size_t i = local % (k + 1), j = local / (k + 1);
-    const bool inner_i = i > 0 && i<k, inner_j = j> 0 && j < k;
+    const bool inner_i = i != 0 && i != k;
+    const bool inner_j = j != 0 && j != k;
     if (dimension == 1)
       return !inner_i || i != k - 1;
     if (inner_i && inner_j)

@@ -68,6 +68,26 @@ void check_start_positions(const SurfaceDiscretization &surface, const std::stri
                     ", which must be positive: it is inside out or folded. " + remedy);
 }
 
+std::vector<double> squared_node_distances(const SurfaceDiscretization &surface)
+{
+  const bool meridian = surface.kind == SurfaceDiscretization::Kind::meridian;
+  const double k      = surface.degree;
+  std::vector<double> all;
+  for_all_cells(surface.tables, surface.cell_nodes, surface.positions, 3,
+                [&](const WalkCell &cell)
+                {
+                  double size = 0., weights = 0.; // weights have the factor of a revolution or a mirror plane
+                  for (unsigned int q = 0; q < cell.tables.n_points; ++q)
+                  {
+                    size += meridian ? cell[q].weight * norm(cell[q][1]) : cell[q].area();
+                    weights += cell[q].weight;
+                  }
+                  size /= weights;
+                  all.insert(all.end(), cell.tables.n_points, (meridian ? size * size : size) / (k * k));
+                });
+  return all;
+}
+
 int euler_characteristic(const SurfaceDiscretization &surface)
 {
   if (surface.kind == SurfaceDiscretization::Kind::meridian)

@@ -34,14 +34,8 @@ class TangentField
 public:
   TangentField(const SurfaceDiscretization &surface, const NodalVectors &positions, const NodalVectors &directors)
       : normals(nodal_normals(surface, positions))
-      , tangents(normals.size())
+      , tangents(tangential_parts(directors, normals))
   {
-    for (std::size_t I = 0; I < surface.n_nodes; ++I)
-    {
-      const Vector3<double> O = vector_at(directors, I), n = vector_at(normals, I), t = O - dot(O, n) * n;
-      for (unsigned int c = 0; c < 3; ++c)
-        tangents[3 * I + c] = t[c];
-    }
   }
 
   double length(const std::size_t I) const { return norm(vector_at(tangents, I)); }

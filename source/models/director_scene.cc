@@ -2,6 +2,7 @@
 #include <pellicle/assembly/body_nodes.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/discretization/point_walk.h>
+#include <pellicle/discretization/surface_quality.h>
 #include <pellicle/models/director_defects.h>
 #include <pellicle/models/director_scene.h>
 #include <pellicle/models/director_start.h>
@@ -11,6 +12,7 @@
 #include <pellicle/potentials/constraints/lipid_domain.h>
 #include <pellicle/potentials/director/director_effect.h>
 #include <pellicle/potentials/director/director_fields.h>
+#include <pellicle/potentials/director/spontaneous_curvature_effect.h>
 #include <pellicle/potentials/dissipations/director_friction.h>
 
 #include <cmath>
@@ -208,6 +210,9 @@ NodalConditions DirectorScene::conditions(const SurfaceDiscretization &surface, 
 
 void DirectorScene::add_references(const SurfaceDiscretization &start, SceneTargets &targets) const
 {
+  targets.cell_sizes = std::make_shared<const std::vector<double>>(squared_node_distances(start));
+  if (find<SpontaneousDirectorCurvatureEffect>() == nullptr)
+    return;
   std::vector<DirectorPoint> points;
   const NodalVectors &directors = start.start_values.at(std::string(director));
   for_all_points(start.tables, start.cell_nodes, start.positions, 3,

@@ -4,11 +4,10 @@
 #include <pellicle/base/exceptions.h>
 #include <pellicle/base/near_match.h>
 #include <pellicle/models/director_start.h>
+#include <pellicle/models/random_vectors.h>
 
 #include <cmath>
-#include <cstdint>
 #include <functional>
-#include <random>
 
 namespace pellicle
 {
@@ -24,12 +23,6 @@ struct StartField
 };
 
 const Direction e_z(0., 0., 1.);
-
-Direction unit_or(const Direction &v, const Direction &otherwise)
-{
-  constexpr double horizontal = 1e-10;
-  return norm(v) < horizontal ? otherwise : (1. / norm(v)) * v;
-}
 
 const std::vector<StartField> &start_fields_of_directors()
 {
@@ -78,11 +71,7 @@ NodalVectors start_directors(const SurfaceDiscretization &surface, const std::st
                       " leaves the plane of the meridian: take Mesh/Symmetry = none, or another start.");
     NodalVectors directors = nodal_normals(surface, surface.positions);
     for (std::size_t I = 0; I < surface.n_nodes; ++I)
-    {
-      const Direction O = field.director(vector_at(directors, I), angle);
-      for (unsigned int c = 0; c < 3; ++c)
-        directors[3 * I + c] = O[c];
-    }
+      set_vector_at(directors, I, field.director(vector_at(directors, I), angle));
     return directors;
   }
   throw UserError("Director field/Start = " + name + " is not known." + suggestion(name, director_start_names()));
@@ -93,21 +82,11 @@ void add_director_noise(const SurfaceDiscretization &surface, const double ampli
 {
   if (amplitude == 0.)
     return;
-  std::mt19937 random(static_cast<std::uint32_t>(seed));
-  const NodalChart chart = free_chart(surface);
+  const NodalVectors noise = random_vectors(surface, amplitude, seed);
   for (std::size_t I = 0; I < surface.n_nodes; ++I)
   {
-    Direction O = vector_at(directors, I), noise;
-    for (unsigned int c = 0; c < 3; ++c)
-      noise[c] = amplitude * (2. * (random() / 4294967296.) - 1.);
-    for (unsigned int j = 0; j < chart.nodes[I].count; ++j)
-    {
-      const double *const e = &chart.nodes[I].columns[3 * j];
-      O += dot(noise, Direction(e[0], e[1], e[2])) * Direction(e[0], e[1], e[2]);
-    }
-    O = (1. / norm(O)) * O;
-    for (unsigned int c = 0; c < 3; ++c)
-      directors[3 * I + c] = O[c];
+    const Direction O = vector_at(directors, I) + vector_at(noise, I);
+    set_vector_at(directors, I, (1. / norm(O)) * O);
   }
 }
 } // namespace pellicle

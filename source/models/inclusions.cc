@@ -32,12 +32,6 @@ double area_outside_cap(const double area, const double polar_angle)
   return area * 0.5 * (1. + std::cos(polar_angle));
 }
 
-Direction unit_or_zero(const Direction &v)
-{
-  constexpr double tiny = 1e-10;
-  return norm(v) > tiny ? (1. / norm(v)) * v : Direction();
-}
-
 /** A rigid disc in a plane, or around the lowest point of a sphere, and its surroundings. */
 struct RigidDisc
 {
@@ -57,7 +51,7 @@ struct RigidDisc
   Direction away(const Direction &x) const
   {
     const Direction n = normal(x);
-    return unit_or_zero(sphere > 0. ? e_z - n[2] * n : x - centre);
+    return unit_or(sphere > 0. ? e_z - n[2] * n : x - centre, Direction());
   }
   /** Tilt at a point, as an angle along away(). */
   double tilt_at(const Direction &x, const double decay_length) const
@@ -126,12 +120,6 @@ Direction turned_towards(const Direction &O, const Direction &turn)
 {
   const double angle = norm(turn);
   return angle > 0. ? std::cos(angle) * O + (std::sin(angle) / angle) * turn : O;
-}
-
-void set(NodalVectors &directors, const std::size_t node, const Direction &O)
-{
-  for (unsigned int c = 0; c < 3; ++c)
-    directors[3 * node + c] = O[c];
 }
 } // namespace
 
@@ -227,13 +215,14 @@ void InclusionMembrane::tilt(const SurfaceDiscretization &surface, const StartSh
     Direction turn;
     for (const RigidDisc &disc : all)
       turn += disc.tilt_at(x, decay_length) * disc.away(x);
-    set(directors, I, turned_towards(O, turn - dot(turn, O) * O));
+    set_vector_at(directors, I, turned_towards(O, turn - dot(turn, O) * O));
   }
   for (std::size_t i = 0; i < surface.edges.size(); ++i)
     for (const std::size_t I : surface.edges[i].cell_nodes)
     {
       const Direction x = vector_at(surface.positions, I);
-      set(directors, I, i < all.size() ? turned_towards(all[i].normal(x), all[i].tilt * all[i].away(x)) : e_z);
+      set_vector_at(directors, I,
+                    i < all.size() ? turned_towards(all[i].normal(x), all[i].tilt * all[i].away(x)) : e_z);
     }
 }
 } // namespace pellicle

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/edge_frames.h>
 #include <pellicle/base/constants.h>
 #include <pellicle/base/expression_of_place.h>
+#include <pellicle/discretization/point_walk.h>
+#include <pellicle/discretization/surface_quality.h>
 #include <pellicle/models/shell_scene.h>
 #include <pellicle/models/shell_supports.h>
 #include <pellicle/models/surface_model.h>
@@ -13,11 +16,6 @@ namespace pellicle
 {
 namespace
 {
-Vector3<double> difference(const NodalVectors &values, const std::size_t node, const Vector3<double> &from)
-{
-  return Vector3<double>(values[3 * node], values[3 * node + 1], values[3 * node + 2]) - from;
-}
-
 std::string quantity_at(const LoadPoint &point)
 {
   std::string name = "displacement_at_" + point.edge;
@@ -27,28 +25,20 @@ std::string quantity_at(const LoadPoint &point)
 
 std::vector<ShellReference> references_of(const SurfaceDiscretization &surface)
 {
-  const ShapeTables &tables     = surface.tables;
-  const NodalVectors &directors = surface.start_values.at(shell_director);
-  constexpr unsigned int n_read = 3, stride = 18;
-  std::vector<double> x(std::size_t(stride) * tables.n_points), d(x.size());
+  std::vector<std::array<Vector3<double>, 3>> places;
+  for_all_points(surface.tables, surface.cell_nodes, surface.positions, 3,
+                 [&](const WalkPoint &X) {
+                   places.push_back({{X[0], X[1], X[2]}});
+                 });
   std::vector<ShellReference> references;
-  references.reserve(surface.n_cells * tables.n_points);
-  for (std::size_t cell = 0; cell < surface.n_cells; ++cell)
-  {
-    const std::size_t *const nodes = surface.cell_nodes.data() + cell * surface.n_local();
-    evaluate_field(tables, nodes, surface.positions, n_read, x.data());
-    evaluate_field(tables, nodes, directors, n_read, d.data());
-    for (unsigned int q = 0; q < tables.n_points; ++q)
-    {
-      const auto slot = [q](const std::vector<double> &values, const unsigned int s)
-      {
-        const double *const v = values.data() + std::size_t(stride) * q + 3 * s;
-        return Vector3<double>(v[0], v[1], v[2]);
-      };
-      references.emplace_back(std::array<Vector3<double>, 3>{{slot(x, 1), slot(x, 2), slot(d, 0)}},
-                              std::array<Vector3<double>, 2>{{slot(d, 1), slot(d, 2)}}, slot(x, 0));
-    }
-  }
+  references.reserve(places.size());
+  for_all_points(surface.tables, surface.cell_nodes, surface.start_values.at(shell_director), 3,
+                 [&](const WalkPoint &D)
+                 {
+                   const auto &[X, X_1, X_2] = places[references.size()];
+                   references.emplace_back(std::array<Vector3<double>, 3>{{X_1, X_2, D[0]}},
+                                           std::array<Vector3<double>, 2>{{D[1], D[2]}}, X);
+                 });
   return references;
 }
 } // namespace
@@ -129,7 +119,7 @@ SurfaceDiscretization ShellScene::start_mesh() const
   directors.reserve(surface.positions.size());
   for (std::size_t I = 0; I < surface.n_nodes; ++I)
   {
-    const Vector3<double> n = shell_normal(wanted, difference(surface.positions, I, {}));
+    const Vector3<double> n = shell_normal(wanted, vector_at(surface.positions, I));
     directors.insert(directors.end(), {n[0], n[1], n[2]});
   }
   for (const LoadPoint &point : shell_load_points(wanted))
@@ -153,6 +143,7 @@ void ShellScene::set_targets(const Scales &scales, SceneTargets &targets) const
 
 void ShellScene::add_references(const SurfaceDiscretization &start, SceneTargets &targets) const
 {
+  targets.cell_sizes       = std::make_shared<const std::vector<double>>(squared_node_distances(start));
   targets.shell->reference = std::make_shared<const std::vector<ShellReference>>(references_of(start));
 }
 
@@ -165,7 +156,7 @@ SurfaceMeasures ShellScene::measures(const Scales &scales) const
     for (const LoadPoint &point : points)
     {
       const std::size_t node = nearest_node(model.mesh(), point.place);
-      const double along = dot(point.direction, difference(model.equilibrium().state().fields[0], node, point.place));
+      const double along = dot(point.direction, vector_at(model.equilibrium().state().fields[0], node) - point.place);
       list.push_back({quantity_at(point), along, dimensions::length});
       largest = std::max(largest, std::abs(along));
     }

@@ -38,7 +38,6 @@ public:
   }
 
   /** Takes directions from displacement and director of a node. */
-
   void at_node(const std::size_t node, const std::vector<Vector> &of_position, const std::vector<Vector> &of_director)
   {
     touched[node] = true;

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/edge_loops.h>
-#include <pellicle/discretization/point_walk.h>
 #include <pellicle/discretization/split_line.h>
 #include <pellicle/discretization/surface_quality.h>
 #include <pellicle/models/contact_augmentation.h>
+#include <pellicle/models/random_vectors.h>
 #include <pellicle/models/surface_model.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <random>
 
 namespace pellicle
 {
@@ -37,27 +35,6 @@ std::array<double, 3> normalise(SurfaceDiscretization &discretization, const dou
   for (double &x : discretization.mesh_reference)
     x /= length;
   return centre;
-}
-
-// A cell's area over k^2, on a meridian (length/k)^2; at every quadrature point.
-std::vector<double> squared_node_distances(const SurfaceDiscretization &discretization)
-{
-  const bool meridian = discretization.kind == SurfaceDiscretization::Kind::meridian;
-  const double k2     = std::pow(discretization.degree, 2);
-  std::vector<double> all;
-  for_all_cells(discretization.tables, discretization.cell_nodes, discretization.positions, 3,
-                [&](const WalkCell &cell)
-                {
-                  double size = 0., weights = 0.; // weights have the factor of a revolution or a mirror plane
-                  for (unsigned int q = 0; q < cell.tables.n_points; ++q)
-                  {
-                    size += cell[q].weight * (meridian ? norm(cell[q][1]) : norm(cross(cell[q][1], cell[q][2])));
-                    weights += cell[q].weight;
-                  }
-                  size /= weights;
-                  all.insert(all.end(), cell.tables.n_points, (meridian ? size * size : size) / k2);
-                });
-  return all;
 }
 
 /** Passes iterations on with the energy in the user's units. */
@@ -125,25 +102,12 @@ void SurfaceModel::add_node_noise(const NodeNoise &noise)
   double area = 0.;
   for (const double a : nodal_areas(discretization, discretization.positions))
     area += a;
-  const bool meridian  = discretization.kind == SurfaceDiscretization::Kind::meridian;
-  const double spacing = meridian ? std::sqrt(area) / static_cast<double>(discretization.n_nodes)
-                                  : std::sqrt(area / static_cast<double>(discretization.n_nodes));
-  std::mt19937 random(static_cast<std::uint32_t>(noise.seed));
-  for (std::size_t I = 0; I < discretization.n_nodes; ++I)
-  {
-    // The raw generator is the same everywhere, the standard distributions are not.
-    Vector3<double> displacement;
-    for (unsigned int c = 0; c < 3; ++c)
-      displacement[c] = noise.fraction * spacing * (2. * (random() / 4294967296.) - 1.);
-    const AdmissibleDirections directions =
-        discretization.admissible.empty() ? AdmissibleDirections{} : discretization.admissible[I];
-    for (unsigned int j = 0; j < directions.count; ++j)
-    {
-      const Vector3<double> e(directions.columns[j][0], directions.columns[j][1], directions.columns[j][2]);
-      for (unsigned int c = 0; c < 3; ++c)
-        discretization.positions[3 * I + c] += dot(displacement, e) * e[c];
-    }
-  }
+  const bool meridian              = discretization.kind == SurfaceDiscretization::Kind::meridian;
+  const double spacing             = meridian ? std::sqrt(area) / static_cast<double>(discretization.n_nodes)
+                                              : std::sqrt(area / static_cast<double>(discretization.n_nodes));
+  const NodalVectors displacements = random_vectors(discretization, noise.fraction * spacing, noise.seed);
+  for (std::size_t i = 0; i < displacements.size(); ++i)
+    discretization.positions[i] += displacements[i];
 }
 
 void SurfaceModel::add_pairs(const SurfaceScene &scene, const Communicator &communicator)
@@ -229,9 +193,8 @@ void SurfaceModel::update(const SurfaceScene &scene)
 
 PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
 {
-  targets            = scene.targets(unit);
-  targets.reference  = reference;
-  targets.cell_sizes = cell_sizes;
+  targets           = scene.targets(unit);
+  targets.reference = reference;
   scene.add_references(solved_mesh(), targets);
   targets.euler_characteristic = euler_characteristic(discretization);
   for (SceneEdge &edge : targets.edges)
@@ -248,7 +211,6 @@ PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
 // What potentials need to know of the start shape and the reference shape, at quadrature points.
 void SurfaceModel::take_from_mesh(const SurfaceScene &scene)
 {
-  cell_sizes          = std::make_shared<const std::vector<double>>(squared_node_distances(discretization));
   const bool has_skin = !is_reparametrisation_invariant(scene.potentials(unit));
   if (has_skin)
   {

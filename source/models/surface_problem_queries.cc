@@ -173,9 +173,8 @@ void SurfaceProblem::displace(SurfaceState &state, const std::size_t field, cons
     return;
   for (std::size_t I = 0; I < surface.n_nodes; ++I)
   {
-    const double length = norm(vector_at(values, I));
-    for (unsigned int c = 0; c < 3; ++c)
-      values[3 * I + c] /= length;
+    const Vector3<double> v = vector_at(values, I);
+    set_vector_at(values, I, (1. / norm(v)) * v);
   }
 }
 

@@ -17,14 +17,11 @@ void SurfaceProblem::begin_time_step(const double length)
     const std::vector<FieldUse> uses        = dissipation.over_step->fields();
     const std::size_t here                  = set_of(surface, dissipation.over_step->where());
     const ShapeTables &tables               = tables_of(surface, here);
-    const std::size_t n_cells               = here == 0                      ? surface.n_cells
-                                              : here <= surface.edges.size() ? surface.edges[here - 1].n_cells
-                                                                             : surface.bulks[here - 1 - surface.edges.size()].n_cells;
     const std::size_t n_inputs =
         std::accumulate(uses.begin(), uses.end(), std::size_t(0),
                         [](const std::size_t n, const FieldUse &use) { return n + 3 * n_slots(use.derivatives); });
     dissipation.start->length = length;
-    dissipation.start->inputs.assign(n_cells * tables.n_points * n_inputs, 0.);
+    dissipation.start->inputs.assign(n_cells_of(surface, here) * tables.n_points * n_inputs, 0.);
     for (const Cell &cell : cells)
     {
       if (cell.set != here)

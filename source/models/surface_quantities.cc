@@ -48,19 +48,6 @@ Dimension dimension_of(const Field &field)
                                                                                  : dimensions::line_tension;
 }
 
-/** (I - n n) O at the nodes. */
-NodalVectors tilt(NodalVectors directors, const NodalVectors &normals)
-{
-  for (std::size_t I = 0; 3 * I < directors.size(); ++I)
-  {
-    const Vector3<double> n = vector_at(normals, I);
-    const double along      = dot(vector_at(directors, I), n);
-    for (unsigned int c = 0; c < 3; ++c)
-      directors[3 * I + c] -= along * n[c];
-  }
-  return directors;
-}
-
 /** Whether the mesh is a part of the surface between mirror planes: its weights count the images, too. */
 bool is_part(const SurfaceDiscretization &discretization)
 {
@@ -250,8 +237,8 @@ SurfaceSample SurfaceModel::sample() const
                         scaled_values(of_surface(state.fields[f]), unit.of(dimension_of(field)))});
   if (problem->layout().has(director))
     fields.push_back({"tilt", 3,
-                      tilt(of_surface(state.fields[problem->layout().index(director)]),
-                           nodal_normals(surface, of_surface(state.fields[0])))});
+                      tangential_parts(of_surface(state.fields[problem->layout().index(director)]),
+                                       nodal_normals(surface, of_surface(state.fields[0])))});
   if (problem->layout().has(shell_director))
   {
     NodalVectors displacements = state.fields[0];

@@ -7,9 +7,9 @@ The environment variable PELLICLE_DIRECTOR_MEMBRANE names the program, PELLICLE_
 import os
 from pathlib import Path
 
-from pellicle_program import ProgramTest, in_pairs, settings
+from pellicle_program import ProgramTest, settings
 
-__all__ = ["SCENES", "DirectorTest", "in_pairs", "settings"]
+__all__ = ["SCENES", "DirectorTest", "settings"]
 
 SCENES = Path(os.environ["PELLICLE_DIRECTOR_SCENES"])
 

@@ -7,9 +7,9 @@ The environment variable PELLICLE_DROPLET_CONTACT names the program, PELLICLE_DR
 import os
 from pathlib import Path
 
-from pellicle_program import ProgramTest, in_pairs, settings
+from pellicle_program import ProgramTest, settings
 
-__all__ = ["SCENES", "AXIAL", "DropletTest", "in_pairs", "settings"]
+__all__ = ["SCENES", "AXIAL", "DropletTest", "settings"]
 
 SCENES = Path(os.environ["PELLICLE_DROPLET_SCENES"])
 

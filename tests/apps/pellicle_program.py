@@ -91,6 +91,24 @@ class ProgramTest(unittest.TestCase):
             self.assertNotIn(word, text)
         self.assertFalse((Path(directory) / "summary.json").exists(), text)
 
+    def assert_refusals(self, scene, cases):
+        """Of a scene with overrides: cases (overrides, words), each refused with one message that holds the words."""
+
+        def attempt(case):
+            number, (overrides, words) = case
+            directory = self.folder / f"run{number}"
+            return overrides, words, directory, self.call(scene, *settings(*overrides), "--output-directory", directory)
+
+        for overrides, words, directory, process in in_pairs(attempt, list(enumerate(cases))):
+            with self.subTest(overrides=overrides):
+                self.assert_clear_refusal(process, directory, words)
+
+    def assert_valid(self, scenes):
+        """All of them pass --validate."""
+        for scene, process in zip(scenes, in_pairs(lambda scene: self.call("--validate", scene), scenes)):
+            with self.subTest(scene=scene.name):
+                self.assertEqual(process.returncode, 0, process.stderr)
+
 
 def in_pairs(function, cases):
     """Calls function for all cases, two at a time: most of the time of a refusal is the start of the program."""

@@ -7,9 +7,9 @@ The environment variable PELLICLE_WETTING_RIDGE names the program, PELLICLE_RIDG
 import os
 from pathlib import Path
 
-from pellicle_program import ProgramTest, in_pairs, settings
+from pellicle_program import ProgramTest
 
-__all__ = ["SCENES", "COARSE", "FREE_LINE", "SLIDING", "RidgeTest", "effects", "in_pairs", "settings"]
+__all__ = ["SCENES", "COARSE", "FREE_LINE", "SLIDING", "RidgeTest", "effects"]
 
 SCENES = Path(os.environ["PELLICLE_RIDGE_SCENES"])
 

@@ -3,7 +3,7 @@
 
 import math
 
-from director_program import SCENES, DirectorTest, in_pairs, settings
+from director_program import SCENES, DirectorTest, settings
 
 SCENE = SCENES / "relaxation.prm"
 MINIMISING = "Time/Integrator=minimising"
@@ -132,11 +132,4 @@ class Refusals(DirectorTest):
         self.assert_clear_refusal(self.call(scene, "--output-directory", directory), directory, ["how fast", "'director friction'"])
 
     def test_mistakes(self):
-        def attempt(number_and_case):
-            number, (assignments, words) = number_and_case
-            directory = self.folder / str(number)
-            return self.call(SCENE, *settings(*assignments), "--output-directory", directory), directory, words
-
-        for process, directory, words in in_pairs(attempt, enumerate(CASES)):
-            with self.subTest(words=words):
-                self.assert_clear_refusal(process, directory, words)
+        self.assert_refusals(SCENE, CASES)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A user's mistakes with directors: exit status 2 and one message that says what is wrong, what is allowed and what to do."""
 
-from director_program import SCENES, DirectorTest, in_pairs, settings
+from director_program import SCENES, DirectorTest
 
 TWO = "Surface/Shape=two inclusions"
 
@@ -35,14 +35,8 @@ CASES = [
 
 
 class Refusals(DirectorTest):
-    def refuse(self, number, overrides, words):
-        directory = self.folder / f"run{number}"
-        process = self.call(SCENES / "inclusion.prm", *settings(*overrides), "--output-directory", directory)
-        with self.subTest(overrides=overrides):
-            self.assert_clear_refusal(process, directory, words)
-
     def test_values(self):
-        in_pairs(lambda case: self.refuse(case[0], *case[1]), list(enumerate(CASES)))
+        self.assert_refusals(SCENES / "inclusion.prm", CASES)
 
     def test_without_directors(self):
         scene = self.write("none.prm", "set Effects = surface tension\n")
@@ -50,11 +44,6 @@ class Refusals(DirectorTest):
         self.assert_clear_refusal(process, self.folder / "none", ["no 'director'", "vesicle"])
 
     def test_shipped_scenes_are_valid(self):
-        def validate(scene):
-            process = self.call("--validate", scene)
-            with self.subTest(scene=scene.name):
-                self.assertEqual(process.returncode, 0, process.stderr)
-
         scenes = sorted(SCENES.glob("*.prm"))
         self.assertGreaterEqual(len(scenes), 5)
-        in_pairs(validate, scenes)
+        self.assert_valid(scenes)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A user's mistakes with drops: exit status 2 and one message that says what is wrong, what is allowed and what to do."""
 
-from droplet_program import AXIAL, SCENES, DropletTest, in_pairs, settings
+from droplet_program import AXIAL, SCENES, DropletTest, settings
 
 WITH_GRAVITY = "Effects=liquid surface, volume constraint, wetting, gravity"
 BALL, FIELD = "Substrate/Shape=sphere", "Substrate/Shape=height field"
@@ -39,14 +39,8 @@ CASES = [
 
 
 class Refusals(DropletTest):
-    def refuse(self, number, overrides, words):
-        directory = self.folder / f"run{number}"
-        process = self.call(SCENES / "sessile.prm", *settings(*overrides), "--output-directory", directory)
-        with self.subTest(overrides=overrides):
-            self.assert_clear_refusal(process, directory, words)
-
     def test_values(self):
-        in_pairs(lambda case: self.refuse(case[0], *case[1]), list(enumerate(CASES)))
+        self.assert_refusals(SCENES / "sessile.prm", CASES)
 
     def test_drop_that_cannot_hang(self):
         """No equilibrium: status 1 and a message, not an endless search."""

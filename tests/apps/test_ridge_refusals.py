@@ -2,7 +2,7 @@
 """A user's mistakes with ridges: exit status 2 and one message that says what is wrong, what is allowed and what to do. A load that no
 state carries: exit status 1, how far it went, and everything up to there on disk."""
 
-from ridge_program import COARSE, SCENES, RidgeTest, effects, in_pairs, settings
+from ridge_program import COARSE, SCENES, RidgeTest, effects
 
 IN_SPACE = "Mesh/Symmetry=none"
 
@@ -46,14 +46,8 @@ CASES = [
 
 
 class Refusals(RidgeTest):
-    def refuse(self, number, overrides, words):
-        directory = self.folder / f"run{number}"
-        process = self.call(SCENES / "pinned_axial.prm", *settings(*overrides), "--output-directory", directory)
-        with self.subTest(overrides=overrides):
-            self.assert_clear_refusal(process, directory, words)
-
     def test_values(self):
-        in_pairs(lambda case: self.refuse(case[0], *case[1]), list(enumerate(CASES)))
+        self.assert_refusals(SCENES / "pinned_axial.prm", CASES)
 
     def test_written_parameters_are_valid(self):
         """Every parameter with its default, and sections of effects that are not listed in comments."""
@@ -66,14 +60,9 @@ class Refusals(RidgeTest):
         self.assertEqual(process.returncode, 0, process.stderr)
 
     def test_shipped_scenes_are_valid(self):
-        def validate(scene):
-            process = self.call("--validate", scene)
-            with self.subTest(scene=scene.name):
-                self.assertEqual(process.returncode, 0, process.stderr)
-
         scenes = sorted(SCENES.glob("*.prm"))
         self.assertGreaterEqual(len(scenes), 2)
-        in_pairs(validate, scenes)
+        self.assert_valid(scenes)
 
     def test_load_that_no_state_carries(self):
         """A liquid that pulls fifty times as hard as the solid's skins can hold: how far it went, and everything until then."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cosserat shells as programs: the shipped scene, loads in steps and along a branch, and a user's mistakes."""
 
-from director_program import SCENES, DirectorTest, in_pairs, settings
+from director_program import SCENES, DirectorTest
 
 SCENE = SCENES / "pinched_hemisphere.prm"
 COARSE = "Mesh/Refinements=1"
@@ -55,11 +55,4 @@ class Shells(DirectorTest):
         self.assert_within(run.quantities["displacement_at_load_point_a"], 0.5, 2e-3)
 
     def test_refusals(self):
-        def refuse(case):
-            number, (overrides, words) = case
-            directory = self.folder / f"run{number}"
-            process = self.call(SCENE, *settings(*overrides), "--output-directory", directory)
-            with self.subTest(overrides=overrides):
-                self.assert_clear_refusal(process, directory, words)
-
-        in_pairs(refuse, list(enumerate(CASES)))
+        self.assert_refusals(SCENE, CASES)

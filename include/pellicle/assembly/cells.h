@@ -26,6 +26,9 @@ std::size_t n_sets(const SurfaceDiscretization &discretization);
 /** The set on which a potential acts. Asserts that the discretization has it. */
 std::size_t set_of(const SurfaceDiscretization &discretization, const Where &where);
 
+/** Number of cells in a set, of all processes. */
+std::size_t n_cells_of(const SurfaceDiscretization &discretization, std::size_t set);
+
 /** All cells of this process, set by set. */
 std::vector<Cell> own_cells(const SurfaceDiscretization &discretization, const Communicator &communicator);
 

@@ -26,6 +26,10 @@ SurfaceQuality surface_quality(const SurfaceDiscretization &surface, const Nodal
  */
 void check_start_positions(const SurfaceDiscretization &surface, const std::string &remedy);
 
+/** Squared distance of neighbouring nodes on the start shape, at every quadrature point: a cell's area over k^2, on a
+ * meridian (length/k)^2. */
+std::vector<double> squared_node_distances(const SurfaceDiscretization &surface);
+
 /**
  * Euler characteristic vertices - edges + cells: 2 for a closed surface without handles, two less for every handle and
  * one less for every rim. A meridian stands for a surface without handles.

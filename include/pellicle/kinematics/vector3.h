@@ -68,4 +68,12 @@ Number norm(const Vector3<Number> &a)
   using std::sqrt;
   return sqrt(dot(a, a));
 }
+
+/** a/|a|, or `otherwise` where |a| is too small (1e-10) for a direction; for numbers of order one. */
+inline Vector3<double> unit_or(const Vector3<double> &a, const Vector3<double> &otherwise)
+{
+  constexpr double smallest = 1e-10;
+  const double length       = norm(a);
+  return length < smallest ? otherwise : (1. / length) * a;
+}
 } // namespace pellicle

@@ -165,7 +165,6 @@ private:
   SurfaceState last_iterate;                                     ///< of the last solve that failed
   SceneTargets targets;                                          ///< what the effects were given, internal units
   std::shared_ptr<const std::vector<ReferenceMetric>> reference; ///< of elastic skins
-  std::shared_ptr<const std::vector<double>> cell_sizes;         ///< of the start shape, see SceneTargets
   std::map<std::string, std::shared_ptr<const std::vector<Vector3<double>>>> conormals; ///< of rims, by their names
   NodalConditions own_conditions; ///< those of the scene, without active sets
   std::vector<std::unique_ptr<ActiveSet>> active_sets;

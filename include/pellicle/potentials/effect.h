@@ -128,8 +128,8 @@ struct SceneTargets
   const ShellTargets &shell_targets() const;
   /** Whether the surface keeps the shape it starts with. */
   bool surface_is_held = false;
-  /** Squared distance of neighbouring nodes on the start shape, at every quadrature point: a cell's area over k^2. Null
-   * while a scene is only checked. */
+  /** Squared distances of neighbouring nodes on the start shape, at every quadrature point (squared_node_distances()),
+   * from scenes with effects in mixed form; null while a scene is only checked. */
   std::shared_ptr<const std::vector<double>> cell_sizes = nullptr;
   /** Metric of the reference shape at every quadrature point, for elastic skins; null while a scene is only checked. */
   std::shared_ptr<const std::vector<ReferenceMetric>> reference = nullptr;

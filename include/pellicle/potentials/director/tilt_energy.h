@@ -10,37 +10,36 @@
 
 namespace pellicle
 {
-/**
- * Energy of tilt, (k_t/2) |O_tan|^2 per area with O_tan = (I - n n) O: the first term of (23) of Hu, Zhang & E 2007,
- * whose k_2 is k_t. Locks for k_t h^2/K >> 1 (K the modulus of the gradient): see MixedTiltEnergy.
- */
-struct TiltEnergy
+/** A quadratic energy of directors that weighs their tangential and normal parts differently, in displacement form. */
+struct DirectorPartsEnergy
 {
   static constexpr std::array<FieldUse, 2> fields{
       {{"position", Derivatives::first, FieldRole::independent}, director_field(Derivatives::none)}};
   static constexpr bool reparametrisation_invariant = true;
 
-  double tilt_modulus = 1.; ///< k_t, internal units
+  TangentialForm<1> form;
 
   template <typename Number>
   Number density(const PointInputs<Number, 2> &inputs, const PointData & /*data*/) const
   {
-    return form().density(inputs[0], std::array<Vector3<Number>, 1>{inputs[1].value()});
+    return form.density(inputs[0], std::array<Vector3<Number>, 1>{inputs[1].value()});
   }
 
   void add_derivatives(const PointInputs<double, 2> &inputs, const PointData & /*data*/,
                        const PointDerivativeView &view) const
   {
-    form().add_derivatives(inputs[0], {inputs[1].value()}, view);
+    form.add_derivatives(inputs[0], {inputs[1].value()}, view);
   }
+};
 
-private:
-  TangentialForm<1> form() const
-  {
-    TangentialForm<1> f;
-    f.alpha[0][0] = f.beta[0][0] = tilt_modulus;
-    return f;
-  }
+/**
+ * Energy of tilt, (k_t/2) |O_tan|^2 per area with O_tan = (I - n n) O: the first term of (23) of Hu, Zhang & E 2007,
+ * whose k_2 is k_t. Locks for k_t h^2/K >> 1 (K the modulus of the gradient): see MixedTiltEnergy.
+ */
+struct TiltEnergy : DirectorPartsEnergy
+{
+  /** k_t, internal units. */
+  explicit TiltEnergy(const double tilt_modulus) { form.alpha[0][0] = form.beta[0][0] = tilt_modulus; }
 };
 
 /**
