@@ -21,7 +21,7 @@ void check_folds(const RefinedQuads &mesh, const RoundedSurface &rounded, const 
   const auto check_cell = [&](const WalkCell &cell)
   {
     Vector3<double> outwards;
-    for (const unsigned int corner : mesh.patches[mesh.cell_patch[cell.number]])
+    for (const unsigned int corner : mesh.patches[mesh.cell_places[cell.number].patch])
       outwards += rounded.normals[corner];
     for (unsigned int q = 0; q < surface.tables.n_points; ++q)
     {

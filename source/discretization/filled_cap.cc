@@ -78,7 +78,7 @@ CapOverBlock surface_over_block(const double angle, const double area, const uns
   result.cap       = place_nodes(mesh, quads, degree, on_cap);
   result.cap.edges = find_rims(result.cap, [](const Vector3<double> &) { return "rim"; });
   result.on_block  = place_nodes(mesh, quads, degree, on_block).positions;
-  for (const unsigned int patch : mesh.cell_patch)
+  for (const auto &[patch, u0, v0, size] : mesh.cell_places)
     result.above_block.push_back(patch < 4);
   return result;
 }

@@ -42,6 +42,14 @@ SurfaceDiscretization joined(const SurfaceDiscretization &first, const SurfaceDi
   result.n_nodes += second.n_nodes;
   result.n_cells += second.n_cells;
   append(result.cell_nodes, second.cell_nodes, n);
+  unsigned int n_patches = 0;
+  for (const CellPlace &place : first.cell_places)
+    n_patches = std::max(n_patches, place.patch + 1);
+  for (CellPlace place : second.cell_places)
+  {
+    place.patch += n_patches;
+    result.cell_places.push_back(place);
+  }
   result.positions.insert(result.positions.end(), second.positions.begin(), second.positions.end());
   result.mesh_reference.insert(result.mesh_reference.end(), second.mesh_reference.begin(), second.mesh_reference.end());
   result.admissible.resize(n);
@@ -81,6 +89,7 @@ SurfaceDiscretization without_surface(SurfaceDiscretization discretization)
 {
   discretization.n_cells = 0;
   discretization.cell_nodes.clear();
+  discretization.cell_places.clear();
   discretization.edges.clear();
   return discretization;
 }

@@ -75,6 +75,7 @@ std::vector<std::size_t> append_at_line(SurfaceDiscretization &first, const Edge
           number[second.cell_nodes[cell * second.n_local() + (turned ? turned_round(second, i) : i)]]);
   }
   first.n_cells += second.n_cells;
+  first.cell_places.clear();
   first.mesh_reference = first.positions;
   return number;
 }

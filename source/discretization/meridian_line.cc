@@ -36,6 +36,8 @@ SurfaceDiscretization meridian_line(const unsigned int degree, const std::size_t
 
   const std::vector<double> nodes = line_nodes(degree);
   for (std::size_t cell = 0; cell < n_cells; ++cell)
+  {
+    result.cell_places.push_back({0, static_cast<double>(cell) / n_cells, 0., 1. / n_cells});
     for (unsigned int i = 0; i <= degree; ++i)
     {
       const std::size_t node = cell * degree + i;
@@ -44,6 +46,7 @@ SurfaceDiscretization meridian_line(const unsigned int degree, const std::size_t
       result.positions[3 * node]     = x[0];
       result.positions[3 * node + 2] = x[2];
     }
+  }
   return result;
 }
 

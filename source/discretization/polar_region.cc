@@ -183,7 +183,7 @@ SurfaceDiscretization region_surface(const SmoothShape &shape, const double boun
                                         { return sphere_radius(shape) * sphere.at(patch, u, v); })
                                 .positions;
 
-  for (const unsigned int patch : mesh.cell_patch)
+  for (const auto &[patch, u0, v0, size] : mesh.cell_places)
     result.cell_region.push_back(sphere.within_line(patch) ? domain : 0);
   result.region_names = names;
   result.edges        = find_region_boundary(result, domain, boundary_name);

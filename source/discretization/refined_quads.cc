@@ -85,7 +85,7 @@ RefinedQuads refine_quads(const std::vector<Vector3<double>> &vertices, const st
     const dealii::CellId id = cell->id();
     const auto patch        = static_cast<unsigned int>(id.get_coarse_cell_id());
     const Box box           = locate(id);
-    mesh.cell_patch.push_back(patch);
+    mesh.cell_places.push_back({patch, 0.5 * (1. + box.xi - box.half), 0.5 * (1. + box.eta - box.half), box.half});
     for (unsigned int j = 0; j <= degree; ++j)
       for (unsigned int i = 0; i <= degree; ++i)
       {
@@ -100,12 +100,13 @@ SurfaceDiscretization place_nodes(const RefinedQuads &mesh, const unsigned int d
                                   const std::function<Vector3<double>(const PatchPoint &)> &point)
 {
   SurfaceDiscretization result;
-  result.kind       = SurfaceDiscretization::Kind::surface;
-  result.degree     = degree;
-  result.n_nodes    = mesh.n_nodes;
-  result.n_cells    = mesh.n_cells;
-  result.cell_nodes = mesh.cell_nodes;
-  result.tables     = make_surface_tables(degree, degree + 1);
+  result.kind        = SurfaceDiscretization::Kind::surface;
+  result.degree      = degree;
+  result.n_nodes     = mesh.n_nodes;
+  result.n_cells     = mesh.n_cells;
+  result.cell_nodes  = mesh.cell_nodes;
+  result.cell_places = mesh.cell_places;
+  result.tables      = make_surface_tables(degree, degree + 1);
   result.rigid_motions.resize(6); // three translations, three rotations
   for (unsigned int c = 0; c < 3; ++c)
   {

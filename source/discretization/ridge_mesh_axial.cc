@@ -80,6 +80,7 @@ SurfaceDiscretization axial_ridge(const RidgeShape &shape)
   result.cell_region.resize(cap.n_cells + n_wetted, 1);
   result.n_cells = cap.n_cells + lines.r.size() - 1;
   result.cell_region.resize(result.n_cells, 2);
+  result.cell_places.clear();
   result.region_names              = {liquid_gas_region, solid_liquid_region, solid_gas_region};
   result.edges                     = {circle_loop(result, contact_line, cap.n_cells - 1, true, false)};
   result.edges.front().is_junction = true;

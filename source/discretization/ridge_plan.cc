@@ -86,7 +86,7 @@ SurfaceDiscretization RidgePlan::place(const Outline &outline, const unsigned in
   const auto point = [&](const unsigned int patch, const double u, const double v) { return at(patch, u, v, outline); };
   const RefinedQuads mesh = refine_quads(corner_points(quads, n_vertices, point), quads, 0, degree);
   for (std::size_t cell = 0; cell < mesh.n_cells; ++cell)
-    PELLICLE_ASSERT(mesh.cell_patch[cell] == cell, "cells that are not refined keep their order");
+    PELLICLE_ASSERT(mesh.cell_places[cell].patch == cell, "cells that are not refined keep their order");
   SurfaceDiscretization result = place_nodes(mesh, quads, degree, point);
   result.rigid_motions.clear();
   return result;

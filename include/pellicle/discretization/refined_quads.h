@@ -28,8 +28,8 @@ struct RefinedQuads
       patches; ///< as given, but each turned (never flipped) so that neighbours agree on edge directions
   std::size_t n_nodes = 0;
   std::size_t n_cells = 0;
-  std::vector<std::size_t> cell_nodes;  ///< lexicographic in a cell, as in SurfaceDiscretization
-  std::vector<unsigned int> cell_patch; ///< patch of each cell
+  std::vector<std::size_t> cell_nodes; ///< lexicographic in a cell, as in SurfaceDiscretization
+  std::vector<CellPlace> cell_places;
   std::vector<PatchPoint> cell_sites; ///< of every entry of cell_nodes; exactly antisymmetric about the patch's centre
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/discretization/cell_place.h>
 #include <pellicle/kinematics/vector3.h>
 
 #include <algorithm>
@@ -48,6 +49,14 @@ struct AdmissibleDirections
 {
   unsigned int count = 3;
   std::array<std::array<double, 3>, 3> columns{{{{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}}};
+};
+
+/** A node on the edge of a cell whose neighbour there is twice as large: its values, of whichever field, are those of
+ * the neighbour's polynomial, sum of share * (value of node). None of these nodes hangs itself. */
+struct HangingNode
+{
+  std::size_t node = 0;
+  std::vector<std::pair<std::size_t, double>> shares;
 };
 
 /** A rigid motion that leaves the energy unchanged: w_I = translation + rotation x (x_I - centre). */
@@ -125,7 +134,10 @@ struct SurfaceDiscretization
   /** Nodes of cell c: cell_nodes[c * n_local + i], i lexicographic on the tensor-product unit cell (first coordinate
    * fastest). */
   std::vector<std::size_t> cell_nodes;
-  NodalVectors positions; ///< start shape, oriented so that a_1 x a_2 points out of the enclosed volume
+  /** One per cell; empty: the mesh is none of a family, nothing can be carried over to a finer one. */
+  std::vector<CellPlace> cell_places;
+  std::vector<HangingNode> hanging; ///< where cells of different sizes meet
+  NodalVectors positions;           ///< start shape, oriented so that a_1 x a_2 points out of the enclosed volume
   /** Start values of fields other than the position, by name; those that are not named start as their kind does
    * (unit vectors: along the normals; others: zero). */
   std::map<std::string, NodalVectors> start_values;
