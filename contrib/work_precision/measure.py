@@ -38,6 +38,11 @@ class Measurement:
     def is_evolver(self):
         return self.line.startswith("Surface Evolver")
 
+    @property
+    def kind(self):
+        """Of the mesh: a surface in space or a symmetric part of it, a meridian; or the other program."""
+        return "Surface Evolver" if self.is_evolver else "meridian" if self.line.startswith("axial") else "in space"
+
 
 class RunFailed(Exception):
     """A run ended without a result; the text says why."""

@@ -12,6 +12,11 @@ def front(measurements):
     return chosen
 
 
+def by_kind(measurements):
+    """The measurements of each kind of mesh: a meridian is no rival of a surface in space, which can do more."""
+    return {kind: [m for m in measurements if m.kind == kind] for kind in dict.fromkeys(m.kind for m in measurements)}
+
+
 def reliable(measurements, target):
     """Those that meet a target, as do all finer ones of their line.
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Error against seconds, a panel for each case and a line for each degree; the Pareto front is marked."""
+"""Error against seconds, a panel for each case and a line for each degree; the Pareto fronts of each kind of mesh are marked."""
 
 import os
 
@@ -49,7 +49,8 @@ def draw(cases, measurements, path):
             points = [m for m in own if m.line == line]
             (handles[line],) = axes.plot([m.seconds for m in points], [m.error for m in points], color=colour, linestyle=stroke, marker=marker, markersize=4,
                                          linewidth=1.2, label=line)
-        best = pareto.front(own)
+        axes.tick_params(which="minor", labelsize=6)
+        best = [m for group in pareto.by_kind(own).values() for m in pareto.front(group)]
         (handles["Pareto front"],) = axes.plot([m.seconds for m in best], [m.error for m in best], linestyle="", marker="o", markersize=10,
                                                markerfacecolor="none", markeredgecolor="0.2", label="Pareto front")
     figure.legend(handles=list(handles.values()), loc="lower center", ncols=4 if columns > 1 else 2, fontsize=8, frameon=False)
