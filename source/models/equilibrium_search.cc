@@ -54,6 +54,35 @@ bool EquilibriumSearch::descend()
   return in_charts(problem.needs_material_chart() ? "automatic" : "graph then ale");
 }
 
+bool EquilibriumSearch::take_one_step()
+{
+  const bool is_graph =
+      newton.chart == "graph" || (newton.chart == "automatic" && problem.discretization().has_junctions());
+  const bool is_material = newton.chart == "automatic" && problem.needs_material_chart();
+  problem.use_chart(is_graph      ? PositionChart::graph
+                    : is_material ? PositionChart::material
+                                  : PositionChart::ale,
+                    mesh_reference);
+  problem.linearize();
+  std::vector<double> direction = problem.residual();
+  try
+  {
+    const Timing::Scope scope(timing, "linear solve");
+    solver.factorize(problem.matrix());
+    for (double &d : direction)
+      d = -d;
+    solver.solve(direction);
+  }
+  catch (const SolveError &)
+  {
+    return false;
+  }
+  if (!(problem.displacement(direction) <= newton.step_limit) || !std::isfinite(problem.try_step(direction, 1.)))
+    return false;
+  problem.accept_trial();
+  return true;
+}
+
 bool EquilibriumSearch::iterate(const PositionChart chart, const int max_iterations)
 {
   NewtonParameters parameters = newton;

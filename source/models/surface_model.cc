@@ -5,6 +5,7 @@
 #include <pellicle/discretization/surface_quality.h>
 #include <pellicle/models/contact_augmentation.h>
 #include <pellicle/models/random_vectors.h>
+#include <pellicle/models/state_transfer.h>
 #include <pellicle/models/surface_model.h>
 
 #include <algorithm>
@@ -189,6 +190,23 @@ void SurfaceModel::update(const SurfaceScene &scene)
     active->add_potentials(potentials);
   }
   problem->set_potentials(std::move(potentials));
+}
+
+bool SurfaceModel::start_from(const SurfaceModel &solved)
+{
+  PELLICLE_ASSERT(unit.length == solved.unit.length && unit.energy == solved.unit.energy,
+                  "models of one scene have the same units");
+  const Vector3<double> shift       = (1. / unit.length) * (origin() - solved.origin());
+  std::optional<SurfaceState> state = transferred_state(*solved.problem, *problem, shift);
+  if (!state)
+    return false;
+  for (const auto &active : active_sets)
+    if (!active->take_over(state->fields))
+      return false;
+  problem->set_state(std::move(*state));
+  if (!active_sets.empty())
+    apply_active_sets();
+  return true;
 }
 
 PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)

@@ -37,6 +37,13 @@ public:
   /** Takes over the numbers of a scene with the same effects and mesh: a load step. */
   void update(const SurfaceScene &scene);
 
+  /**
+   * Starts from the equilibrium of a model of the same scene on another mesh; see transferred_state(). This model is as
+   * it was built, but for updates. False, and nothing has happened, if the meshes have no places in common or if the
+   * scene's inequalities remember more than the state. Throws SolveError where the state makes no sense on this mesh.
+   */
+  bool start_from(const SurfaceModel &solved);
+
   /** Newton from the present state, in the charts that the scene asks for; then, if the scene lists it, the stability
    * of the equilibrium, and downhill where it is unstable and the scene wants that. On failure the state before the
    * call is restored. */
