@@ -3,10 +3,15 @@
 #include "scene_input.h"
 #include "targets.h"
 
+#include "../../source/apps/mpi_session.h"
+
 namespace pellicle::fuzz
 {
 void build_scene(const std::string &input)
 {
+  int argc    = 0;
+  char **argv = nullptr;
+  static const MpiSession session(argc, argv);
   SceneInput scene(input, {"Mesh/Degree=2", "Mesh/Refinements=0"});
   std::unique_ptr<SurfaceScene> values = scene.file().read();
   if (!values->load.parameter.empty())
