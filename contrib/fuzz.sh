@@ -48,8 +48,6 @@ if [[ -z $build ]]; then
   configure_and_build sanitize "$(nproc)" fuzzers
 fi
 
-# Libraries of MPI keep memory until the process ends; the fuzzers look for what grows with the inputs instead.
-export LSAN_OPTIONS=suppressions=$PWD/contrib/utilities/leaks.supp:print_suppressions=0 UBSAN_OPTIONS=print_stacktrace=1
 mkdir -p "$build/fuzz/findings"
 for target in "${chosen[@]}"; do
   step "Fuzzing: $target for $seconds s"
