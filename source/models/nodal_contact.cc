@@ -21,6 +21,8 @@ NodalContact::NodalContact(const SurfaceDiscretization &surface, std::vector<std
     , exempt(std::move(exempt_nodes))
     , touched(surface.n_nodes, none)
 {
+  for (const HangingNode &hanging : surface.hanging)
+    exempt[hanging.node] = true; // its neighbours' statuses decide where it is
   for (std::size_t I = 0; I < surface.n_nodes; ++I)
     for (std::size_t b = 0; b < bodies.size(); ++b)
       if (!exempt[I] && bodies[b]->gap(vector_at(surface.positions, I)).gap < on_body_gap)
