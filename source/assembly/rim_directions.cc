@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/edge_frames.h>
+#include <pellicle/assembly/hanging_carriers.h>
 #include <pellicle/assembly/rim_directions.h>
 #include <pellicle/base/constants.h>
 #include <pellicle/discretization/point_walk.h>
@@ -83,7 +84,7 @@ NodalVectors directions_towards_bodies(const FieldConditions &conditions, const 
       directions_across(conditions, discretization, positions, at_edges);
   if (across.empty())
     return normals;
-  Eigen::SparseMatrix<double> matrix = screened_laplacian(discretization, positions);
+  Eigen::SparseMatrix<double> matrix = condensed(discretization, screened_laplacian(discretization, positions));
   const auto size                    = matrix.rows();
   Eigen::MatrixXd given              = Eigen::MatrixXd::Zero(size, 3);
   std::vector<bool> is_given(static_cast<std::size_t>(size), false);

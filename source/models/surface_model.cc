@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/edge_loops.h>
+#include <pellicle/discretization/hanging_nodes.h>
 #include <pellicle/discretization/split_line.h>
 #include <pellicle/discretization/surface_quality.h>
 #include <pellicle/models/contact_augmentation.h>
@@ -73,6 +74,7 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
 {
   centroid = normalise(discretization, unit.length, scene.has_origin());
   add_node_noise(scene.node_noise());
+  join_hanging_nodes(discretization); // which a scene may have placed as it places the others
   set_blas_threads(newton.threads);
   take_from_mesh(scene);
   PotentialSet potentials = potentials_of(scene);

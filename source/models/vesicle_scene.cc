@@ -194,6 +194,7 @@ StartShape VesicleScene::start_shape() const
   shape.file           = mesh.file;
   shape.degree         = static_cast<unsigned int>(mesh.degree);
   shape.refinements    = static_cast<unsigned int>(mesh.refinements);
+  shape.cut            = mesh.cut;
   shape.axial          = mesh.symmetry != "none";
   shape.mirror         = mesh.symmetry == "axial mirror";
   if (const auto *domain = find<LipidDomainEffect>())

@@ -4,6 +4,7 @@
 #include <pellicle/assembly/nodal_conditions.h>
 #include <pellicle/assembly/pair_term.h>
 #include <pellicle/base/parameters.h>
+#include <pellicle/discretization/refinement.h>
 #include <pellicle/discretization/surface_discretization.h>
 #include <pellicle/models/active_set.h>
 #include <pellicle/models/stability.h>
@@ -32,7 +33,10 @@ struct MeshParameters
   int refinements      = 2;
   std::string symmetry = "none";
   std::string file;
+  /** Cells that are cut further, see Refinement: of a run that adapts its mesh, not of the scene. */
+  std::vector<CellPlace> cut;
 
+  Refinement refinement() const { return {static_cast<unsigned int>(refinements), cut}; }
   void bind(ParameterSection &section);
 };
 
