@@ -5,6 +5,7 @@
 #include <pellicle/assembly/pair_term.h>
 #include <pellicle/base/parameters.h>
 #include <pellicle/discretization/surface_discretization.h>
+#include <pellicle/discretization/symmetric_part.h>
 #include <pellicle/models/active_set.h>
 #include <pellicle/models/stability.h>
 #include <pellicle/models/surface_sample.h>
@@ -34,6 +35,9 @@ struct MeshParameters
   std::string file;
 
   void bind(ParameterSection &section);
+  bool is_axial() const { return symmetry == "axial" || symmetry == "axial mirror"; }
+  /** The planes between which only a part of the surface is meshed. */
+  MirrorPlanes mirror_planes() const;
 };
 
 /** Section "Continuation". */
