@@ -6,6 +6,7 @@
 #include <pellicle/base/parameters.h>
 #include <pellicle/discretization/refinement.h>
 #include <pellicle/discretization/surface_discretization.h>
+#include <pellicle/discretization/symmetric_part.h>
 #include <pellicle/models/active_set.h>
 #include <pellicle/models/stability.h>
 #include <pellicle/models/surface_sample.h>
@@ -38,6 +39,9 @@ struct MeshParameters
 
   Refinement refinement() const { return {static_cast<unsigned int>(refinements), cut}; }
   void bind(ParameterSection &section);
+  bool is_axial() const { return symmetry == "axial" || symmetry == "axial mirror"; }
+  /** The planes between which only a part of the surface is meshed. */
+  MirrorPlanes mirror_planes() const;
 };
 
 /** Section "Continuation". */
