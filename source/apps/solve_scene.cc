@@ -7,6 +7,7 @@
 #include <pellicle/models/jump_detector.h>
 
 #include <cmath>
+#include <utility>
 
 namespace pellicle
 {
@@ -78,14 +79,14 @@ std::vector<Leg> legs_of(const SurfaceSceneFile &file, const SurfaceScene &scene
 class Walk
 {
 public:
-  Walk(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer,
-       const SolutionSink &sink)
+  Walk(std::vector<Leg> legs, SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model,
+       Observer &observer, const SolutionSink &sink)
       : file(file)
       , first(first)
       , model(model)
       , observer(observer)
       , sink(sink)
-      , legs(legs_of(file, first))
+      , legs(std::move(legs))
   {
   }
 
@@ -359,6 +360,12 @@ private:
 RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer,
                       const SolutionSink &sink)
 {
-  return Walk(file, first, model, observer, sink).run();
+  return Walk(legs_of(file, first), file, first, model, observer, sink).run();
+}
+
+RunResult solve_here(SurfaceSceneFile &file, const SurfaceScene &scene, SurfaceModel &model, Observer &observer,
+                     const SolutionSink &sink)
+{
+  return Walk({}, file, scene, model, observer, sink).run();
 }
 } // namespace pellicle

@@ -251,14 +251,25 @@ void SurfaceModel::take_from_mesh(const SurfaceScene &scene)
     conormals[name] = std::make_shared<const std::vector<Vector3<double>>>(std::move(of_rim));
 }
 
+NodalVectors SurfaceModel::mesh_reference() const
+{
+  return newton.mesh_reference == "start shape" && !solved_mesh().mesh_reference.empty() ? solved_mesh().mesh_reference
+                                                                                         : problem->state().fields[0];
+}
+
+bool SurfaceModel::take_one_step()
+{
+  const NodalVectors preferred = mesh_reference();
+  Observer nobody;
+  return EquilibriumSearch(newton, *problem, *solver, timing, preferred, 0, nobody).take_one_step();
+}
+
 StepResult SurfaceModel::solve(const int step, Observer &observer)
 {
-  const SurfaceState before         = problem->state();
-  const NodalVectors mesh_reference = newton.mesh_reference == "start shape" && !solved_mesh().mesh_reference.empty()
-                                          ? solved_mesh().mesh_reference
-                                          : before.fields[0];
+  const SurfaceState before    = problem->state();
+  const NodalVectors preferred = mesh_reference();
   InUsersUnits energies(observer, unit);
-  EquilibriumSearch search(newton, *problem, *solver, timing, mesh_reference, step, energies);
+  EquilibriumSearch search(newton, *problem, *solver, timing, preferred, step, energies);
   last_stability.reset();
   if (active_sets.empty())
     search.run();

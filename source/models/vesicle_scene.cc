@@ -315,6 +315,20 @@ SurfaceMeasures VesicleScene::measures(const Scales & /*scales*/) const
   };
 }
 
+std::string VesicleScene::headline_quantity() const
+{
+  return has_effect("helfrich bending") ? "bending_energy" : "total_energy";
+}
+
+// A file brings its own cells, which are many.
+LevelRange VesicleScene::level_range() const
+{
+  LevelRange range = SurfaceScene::level_range();
+  if (!mesh.file.empty())
+    range.first.refinements = 0;
+  return range;
+}
+
 VesicleScene make_vesicle_scene(const EffectLibrary &library, const std::vector<std::string> &effects,
                                 const std::vector<std::string> &analyses)
 {

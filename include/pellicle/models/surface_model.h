@@ -45,6 +45,10 @@ public:
    */
   bool start_from(const SurfaceModel &solved);
 
+  /** One undamped Newton step towards an equilibrium that is near, with the active sets as they are. False, and the
+   * state is what it was, if the equilibrium is not near. */
+  bool take_one_step();
+
   /** Newton from the present state, in the charts that the scene asks for; then, if the scene lists it, the stability
    * of the equilibrium, and downhill where it is unstable and the scene wants that. On failure the state before the
    * call is restored. */
@@ -150,6 +154,8 @@ private:
   /** Equilibria in turn with updates of the active sets, until no status changes. */
   bool settle_active_sets(EquilibriumSearch &search);
   void apply_active_sets();
+  /** Positions whose metric the mesh energy prefers, for a solve that begins now. */
+  NodalVectors mesh_reference() const;
   void count_unknowns();
 
   struct PlaceOnBranch
