@@ -135,6 +135,7 @@ void describe(const SurfaceScene &scene, const SurfaceModel &model, RunResult &r
     result.unknowns.blocks.emplace_back(name, n);
     result.unknowns.total += n;
   }
+  result.linear_solver = model.linear_solver();
   if (const std::optional<Stability> &stability = model.stability())
   {
     result.stability                       = StabilityCounts{};

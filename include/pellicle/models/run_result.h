@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/solvers/linear_solver.h>
+
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -51,6 +53,14 @@ struct StabilityCounts
   std::vector<double> lowest; ///< in the user's units, ascending
 };
 
+/** The matrix of the last equilibrium, when that was asked for. */
+struct LinearSolverReport
+{
+  std::string name;
+  Conditioning conditioning;
+  std::optional<int> negative_pivots; ///< of a symmetric factorisation
+};
+
 /** Everything that summary.json says about a run. */
 struct RunResult
 {
@@ -65,6 +75,7 @@ struct RunResult
   UnknownCounts unknowns;
   NewtonCounts newton;
   RunSeconds seconds;
+  std::optional<LinearSolverReport> linear_solver;        ///< when asked for
   std::optional<StabilityCounts> stability;               ///< when analysed
   std::vector<std::pair<std::string, double>> quantities; ///< name, value in the user's units
 };
