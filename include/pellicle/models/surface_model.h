@@ -4,6 +4,7 @@
 #include <pellicle/base/observer.h>
 #include <pellicle/base/timing.h>
 #include <pellicle/models/equilibrium_search.h>
+#include <pellicle/models/run_result.h>
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_motion.h>
 #include <pellicle/models/surface_sample.h>
@@ -98,6 +99,9 @@ public:
    * Internal units. */
   const std::optional<Stability> &stability() const { return last_stability; }
 
+  /** Of the matrix of the last equilibrium that was found, without drag; none if the scene does not ask for it. */
+  const std::optional<LinearSolverReport> &linear_solver() const { return last_linear_solver; }
+
   /** Reported quantities in the user's units, in the order of the documentation. */
   std::vector<std::pair<std::string, double>> quantities() const;
   /** Energies by name; tension, pressure and other multipliers. Internal units. */
@@ -157,6 +161,8 @@ private:
   /** Positions whose metric the mesh energy prefers, for a solve that begins now. */
   NodalVectors mesh_reference() const;
   void count_unknowns();
+  /** Of the matrix at the equilibrium that was found last; `search` takes what goes wrong as a warning. */
+  void look_at_matrix(EquilibriumSearch &search);
 
   struct PlaceOnBranch
   {
@@ -191,6 +197,7 @@ private:
   StabilityParameters stability_parameters;
   bool analyses_stability = false;
   std::optional<Stability> last_stability;
+  std::optional<LinearSolverReport> last_linear_solver;
   std::vector<std::pair<std::string, std::size_t>> last_unknown_counts;
 };
 } // namespace pellicle
