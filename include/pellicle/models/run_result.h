@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pellicle/assembly/cell_loops.h>
+#include <pellicle/solvers/linear_solver.h>
 
 #include <cstddef>
 #include <limits>
@@ -55,6 +56,14 @@ struct StabilityCounts
   std::vector<double> lowest; ///< in the user's units, ascending
 };
 
+/** The matrix of the last equilibrium, when that was asked for. */
+struct LinearSolverReport
+{
+  std::string name;
+  Conditioning conditioning;
+  std::optional<int> negative_pivots; ///< of a symmetric factorisation
+};
+
 /** Everything that summary.json says about a run. */
 struct RunResult
 {
@@ -70,6 +79,7 @@ struct RunResult
   UnknownCounts unknowns;
   NewtonCounts newton;
   RunSeconds seconds;
+  std::optional<LinearSolverReport> linear_solver;        ///< when asked for
   std::optional<StabilityCounts> stability;               ///< when analysed
   std::vector<std::pair<std::string, double>> quantities; ///< name, value in the user's units
 };
