@@ -70,7 +70,7 @@ def given_shape(name, title, shape, value, settings):
 SHAPE_MESHES = meshes("none", {2: (1, 2, 3), 3: (1, 2), 4: (0, 1, 2), 5: (0, 1)}) + meshes("axial", {2: (2, 4), 3: (1, 3), 4: (1, 2)})
 VESICLE_MESHES = (
     meshes("none", {2: (1, 2, 3), 3: (0, 1, 2), 4: (0, 1, 2), 5: (0, 1, 2)})
-    + meshes("octant", {2: (2, 3), 3: (1, 2, 3), 4: (1, 2), 5: (0, 1, 2)})
+    + meshes("octant", {2: (2, 3), 3: (1, 2, 3), 4: (1, 2), 5: (1, 2)})
     + meshes("axial", {2: (2, 4), 3: (1, 2, 3), 4: (1, 2), 5: (1, 2)})
 )
 DROP_MESHES = (
