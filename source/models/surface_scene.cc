@@ -53,6 +53,14 @@ void OutputParameters::bind(ParameterSection &section)
                "Draw picture.png of the final surface, coloured by mean curvature, if the renderer is installed.");
 }
 
+void CheckpointParameters::bind(ParameterSection &section)
+{
+  section.integer("Every", every, 0, 1000000000,
+                  "Write a checkpoint, from which --restart goes on, after each so many load steps, time steps or "
+                  "points of a branch. 0: never.");
+  section.integer("Keep", keep, 1, 1000, "Number of checkpoints that are kept, the last ones.");
+}
+
 std::vector<ParameterSection> SurfaceScene::sections()
 {
   std::vector<ParameterSection> all;
@@ -66,6 +74,7 @@ std::vector<ParameterSection> SurfaceScene::sections()
   add_further_sections(all);
   add_section(all, "Stability", stability);
   add_section(all, "Output", output);
+  add_section(all, "Checkpoint", checkpoint);
   return all;
 }
 
@@ -109,7 +118,7 @@ void SurfaceScene::check() const
 
 bool SurfaceScene::is_fixed(const std::string &parameter) const
 {
-  for (const char *section : {"Mesh/", "Newton/", "Output/", "Stability/", "Continuation/", "Load/"})
+  for (const char *section : {"Mesh/", "Newton/", "Output/", "Checkpoint/", "Stability/", "Continuation/", "Load/"})
     if (parameter.rfind(section, 0) == 0)
       return true;
   return false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/archive.h>
+
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -54,6 +56,9 @@ struct StabilityCounts
 /** Everything that summary.json says about a run. */
 struct RunResult
 {
+  /** What has come together on the way; the rest is known at the end only. */
+  void exchange(Archive &archive) { archive | status | message | warnings | newton | quantities; }
+
   std::string application;
   RunStatus status = RunStatus::failed;
   std::string message; ///< what failed and what to try; empty after a converged run
