@@ -3,6 +3,7 @@
 
 #include <pellicle/assembly/cell_loops.h>
 #include <pellicle/solvers/linear_solver.h>
+#include <pellicle/base/archive.h>
 
 #include <cstddef>
 #include <limits>
@@ -67,6 +68,9 @@ struct LinearSolverReport
 /** Everything that summary.json says about a run. */
 struct RunResult
 {
+  /** What has come together on the way; the rest is known at the end only. */
+  void exchange(Archive &archive) { archive | status | message | warnings | newton | quantities; }
+
   std::string application;
   RunStatus status = RunStatus::failed;
   std::string message; ///< what failed and what to try; empty after a converged run
