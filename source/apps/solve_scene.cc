@@ -4,10 +4,10 @@
 #include <pellicle/apps/surface_run.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/expression.h>
-#include <pellicle/discretization/surface_quality.h>
 #include <pellicle/models/jump_detector.h>
 
 #include <cmath>
+#include <utility>
 
 namespace pellicle
 {
@@ -30,7 +30,7 @@ void warn_of_folds(const SurfaceModel &model, RunResult &result)
   constexpr double largest_defect = 0.5;
   if (!model.mesh().is_closed())
     return;
-  const int exact = euler_characteristic(model.mesh());
+  const int exact = model.scene_targets().euler_characteristic;
   for (const auto &[name, value] : result.quantities)
     if (name == "gauss_bonnet" && std::abs(value - exact) > largest_defect)
       result.warnings.push_back("gauss_bonnet is " + exact_text(value) + " and should be " + std::to_string(exact) +
@@ -79,14 +79,14 @@ std::vector<Leg> legs_of(const SurfaceSceneFile &file, const SurfaceScene &scene
 class Walk
 {
 public:
-  Walk(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer,
-       const SolutionSink &sink)
+  Walk(std::vector<Leg> legs, SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model,
+       Observer &observer, const SolutionSink &sink)
       : file(file)
       , first(first)
       , model(model)
       , observer(observer)
       , sink(sink)
-      , legs(legs_of(file, first))
+      , legs(std::move(legs))
   {
   }
 
@@ -360,6 +360,12 @@ private:
 RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer,
                       const SolutionSink &sink)
 {
-  return Walk(file, first, model, observer, sink).run();
+  return Walk(legs_of(file, first), file, first, model, observer, sink).run();
+}
+
+RunResult solve_here(SurfaceSceneFile &file, const SurfaceScene &scene, SurfaceModel &model, Observer &observer,
+                     const SolutionSink &sink)
+{
+  return Walk({}, file, scene, model, observer, sink).run();
 }
 } // namespace pellicle

@@ -3,6 +3,7 @@
 #include "run_output.h"
 #include "validation_report.h"
 
+#include <pellicle/apps/accuracy_run.h>
 #include <pellicle/apps/surface_application.h>
 #include <pellicle/apps/surface_run.h>
 #include <pellicle/apps/time_run.h>
@@ -59,7 +60,8 @@ int run(const SurfaceApplication &application, const CommandLine &command_line, 
   const std::string used_text         = file.used_text();
   if (!scene->load.parameter.empty())
     scene = scene_at_start_of_load(file, scene->load);
-  auto model = std::make_unique<SurfaceModel>(*scene, communicator, timing);
+  const bool has_own_mesh = !scene->accuracy.is_wanted() || command_line.validate; // else it is made level by level
+  auto model              = has_own_mesh ? std::make_unique<SurfaceModel>(*scene, communicator, timing) : nullptr;
   if (command_line.validate)
   {
     if (first_process)
@@ -83,6 +85,8 @@ int run(const SurfaceApplication &application, const CommandLine &command_line, 
     model = whole_run->run({file, communicator, timing, output.observer(), write_solution}, *scene, result);
     describe(*scene, *model, result);
   }
+  else if (scene->accuracy.is_wanted())
+    model = run_to_accuracy({file, communicator, timing, output.observer(), write_solution}, *scene, result);
   else if (scene->motion() != nullptr)
     result = run_in_time(*scene, *model, output.observer(), write_solution);
   else

@@ -19,14 +19,15 @@ namespace
 {
 // Divides by the scene's length and moves the centroid of the nodes to the origin (a meridian only along z), so that
 // round-off knows neither units nor place.
-std::array<double, 3> normalise(SurfaceDiscretization &discretization, const double length, const bool stays)
+std::array<double, 3> normalise(SurfaceDiscretization &discretization, const double length, const bool stays,
+                                const MirrorPlanes &planes)
 {
   std::array<double, 3> centre{};
   const bool meridian = discretization.kind == SurfaceDiscretization::Kind::meridian;
   for (unsigned int c = meridian ? 2 : 0; c < 3; ++c)
   {
     // An open surface has no volume of its own: that over its rim's plane, where it starts, must stay what it is.
-    if (stays || discretization.mirror || !discretization.is_closed())
+    if (stays || planes.normal_to[c] || discretization.mirror || !discretization.is_closed())
       continue;
     for (std::size_t I = 0; I < discretization.n_nodes; ++I)
       centre[c] += discretization.positions[3 * I + c] / static_cast<double>(discretization.n_nodes);
@@ -67,12 +68,15 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
     , communicator(communicator)
     , timing(timing)
     , discretization(scene.start_mesh())
+    , planes(scene.mesh.mirror_planes())
+    , euler_number(
+          euler_characteristic(planes.any() ? UnfoldedSurface(discretization, planes).surface() : discretization))
     , own_surroundings(scene.surroundings())
     , own_measures(scene.measures(unit))
     , stability_parameters(scene.stability)
     , analyses_stability(scene.has_analysis("stability"))
 {
-  centroid = normalise(discretization, unit.length, scene.has_origin());
+  centroid = normalise(discretization, unit.length, scene.has_origin(), planes);
   add_node_noise(scene.node_noise());
   join_hanging_nodes(discretization); // which a scene may have placed as it places the others
   set_blas_threads(newton.threads);
@@ -216,7 +220,7 @@ PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
   targets           = scene.targets(unit);
   targets.reference = reference;
   scene.add_references(solved_mesh(), targets);
-  targets.euler_characteristic = euler_characteristic(discretization);
+  targets.euler_characteristic = euler_number;
   for (SceneEdge &edge : targets.edges)
   {
     if (const auto known = conormals.find(edge.name); known != conormals.end())
@@ -247,14 +251,25 @@ void SurfaceModel::take_from_mesh(const SurfaceScene &scene)
     conormals[name] = std::make_shared<const std::vector<Vector3<double>>>(std::move(of_rim));
 }
 
+NodalVectors SurfaceModel::mesh_reference() const
+{
+  return newton.mesh_reference == "start shape" && !solved_mesh().mesh_reference.empty() ? solved_mesh().mesh_reference
+                                                                                         : problem->state().fields[0];
+}
+
+bool SurfaceModel::take_one_step()
+{
+  const NodalVectors preferred = mesh_reference();
+  Observer nobody;
+  return EquilibriumSearch(newton, *problem, *solver, timing, preferred, 0, nobody).take_one_step();
+}
+
 StepResult SurfaceModel::solve(const int step, Observer &observer)
 {
-  const SurfaceState before         = problem->state();
-  const NodalVectors mesh_reference = newton.mesh_reference == "start shape" && !solved_mesh().mesh_reference.empty()
-                                          ? solved_mesh().mesh_reference
-                                          : before.fields[0];
+  const SurfaceState before    = problem->state();
+  const NodalVectors preferred = mesh_reference();
   InUsersUnits energies(observer, unit);
-  EquilibriumSearch search(newton, *problem, *solver, timing, mesh_reference, step, energies);
+  EquilibriumSearch search(newton, *problem, *solver, timing, preferred, step, energies);
   last_stability.reset();
   if (active_sets.empty())
     search.run();
@@ -353,6 +368,8 @@ void SurfaceModel::look_at_stability(EquilibriumSearch &search)
     last_stability                 = analyse_stability(
                         *problem, *solver, static_cast<unsigned int>(std::max(stability_parameters.eigenvalues, follow ? 1 : 0)));
     problem->set_state(equilibrium);
+    if (planes.any() && descents == 0)
+      search.warn("Mesh/Symmetry: the stability is that against deformations with the symmetry of the mesh.");
     if (last_stability && !last_stability->failure.empty())
       search.warn("The lowest eigenvalues were not found: " + last_stability->failure);
     if (!last_stability || last_stability->negative_eigenvalues == 0)

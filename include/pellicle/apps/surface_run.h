@@ -70,6 +70,11 @@ public:
   const SolutionSink &sink;
 };
 
+/** Solves a scene at once from the model's present state, as if it had no load path. Returns what solve_scene() does.
+ */
+RunResult solve_here(SurfaceSceneFile &file, const SurfaceScene &scene, SurfaceModel &model, Observer &observer,
+                     const SolutionSink &sink);
+
 /**
  * Solves a scene, load steps included. Returns everything that summary.json says but the seconds of output; never
  * throws for a solve that failed.

@@ -4,6 +4,7 @@
 #include <pellicle/base/observer.h>
 #include <pellicle/base/timing.h>
 #include <pellicle/models/equilibrium_search.h>
+#include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_motion.h>
 #include <pellicle/models/surface_sample.h>
 #include <pellicle/models/surface_scene.h>
@@ -43,6 +44,10 @@ public:
    * scene's inequalities remember more than the state. Throws SolveError where the state makes no sense on this mesh.
    */
   bool start_from(const SurfaceModel &solved);
+
+  /** One undamped Newton step towards an equilibrium that is near, with the active sets as they are. False, and the
+   * state is what it was, if the equilibrium is not near. */
+  bool take_one_step();
 
   /** Newton from the present state, in the charts that the scene asks for; then, if the scene lists it, the stability
    * of the equilibrium, and downhill where it is unstable and the scene wants that. On failure the state before the
@@ -136,6 +141,8 @@ private:
     values.resize(3 * discretization.n_nodes);
     return values;
   }
+  /** Also where the mesh is a part of the surface. */
+  ShapeMeasures measure_whole() const;
   void add_node_noise(const NodeNoise &noise);
   void check_constraints_are_independent();
   void add_pairs(const SurfaceScene &scene, const Communicator &communicator);
@@ -147,6 +154,8 @@ private:
   /** Equilibria in turn with updates of the active sets, until no status changes. */
   bool settle_active_sets(EquilibriumSearch &search);
   void apply_active_sets();
+  /** Positions whose metric the mesh energy prefers, for a solve that begins now. */
+  NodalVectors mesh_reference() const;
   void count_unknowns();
 
   struct PlaceOnBranch
@@ -165,6 +174,8 @@ private:
   Timing &timing;
   std::array<double, 3> centroid{};
   SurfaceDiscretization discretization;
+  MirrorPlanes planes;                        ///< between which the discretization is a part of the surface
+  int euler_number = 2;                       ///< Euler characteristic of the whole
   std::optional<SurfaceDiscretization> split; ///< along the line around a domain, where the moment jumps there
   std::unique_ptr<SurfaceProblem> problem;
   std::unique_ptr<LinearSolver> solver;
