@@ -4,7 +4,6 @@
 #include <pellicle/apps/surface_run.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/expression.h>
-#include <pellicle/discretization/surface_quality.h>
 #include <pellicle/models/jump_detector.h>
 
 #include <cmath>
@@ -31,7 +30,7 @@ void warn_of_folds(const SurfaceModel &model, RunResult &result)
   constexpr double largest_defect = 0.5;
   if (!model.mesh().is_closed())
     return;
-  const int exact = euler_characteristic(model.mesh());
+  const int exact = model.scene_targets().euler_characteristic;
   for (const auto &[name, value] : result.quantities)
     if (name == "gauss_bonnet" && std::abs(value - exact) > largest_defect)
       result.warnings.push_back("gauss_bonnet is " + exact_text(value) + " and should be " + std::to_string(exact) +

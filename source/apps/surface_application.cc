@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mpi_session.h"
 #include "run_output.h"
+#include "validation_report.h"
 
 #include <pellicle/apps/accuracy_run.h>
 #include <pellicle/apps/surface_application.h>
@@ -23,18 +24,6 @@ namespace pellicle
 namespace
 {
 namespace fs = std::filesystem;
-
-void print_validation(const SurfaceScene &scene, const SurfaceModel &model)
-{
-  std::cout << "The scene is valid.\nEffects:";
-  for (const auto &effect : scene.effects)
-    std::cout << "\n  " << effect->name() << ": " << effect->description();
-  std::cout << "\nMesh: " << model.n_cells() << " cells of degree " << model.mesh().degree << ", "
-            << model.mesh().n_nodes << " nodes\nFields:";
-  for (const Field &field : model.equilibrium().layout().fields())
-    std::cout << ' ' << field.name;
-  std::cout << std::endl;
-}
 
 void print_result(const RunResult &result, const fs::path &directory)
 {
@@ -76,7 +65,7 @@ int run(const SurfaceApplication &application, const CommandLine &command_line, 
   if (command_line.validate)
   {
     if (first_process)
-      print_validation(*scene, *model);
+      write_validation_report(*scene, *model, timing, std::cout);
     return 0;
   }
 

@@ -21,6 +21,8 @@ NodalContact::NodalContact(const SurfaceDiscretization &surface, std::vector<std
     , exempt(std::move(exempt_nodes))
     , touched(surface.n_nodes, none)
 {
+  for (const HangingNode &hanging : surface.hanging)
+    exempt[hanging.node] = true; // its neighbours' statuses decide where it is
   find_touching(surface.positions);
 }
 

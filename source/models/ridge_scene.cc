@@ -126,6 +126,9 @@ void RidgeScene::check() const
   if (mesh.symmetry == "axial mirror")
     throw UserError("Mesh/Symmetry = axial mirror: a drop on a substrate has no mirror plane z = 0. Take axial or "
                     "none.");
+  if (mesh.mirror_planes().any())
+    throw UserError("Mesh/Symmetry = " + mesh.symmetry +
+                    ": half of a drop on a soft substrate is what Substrate/Part = half gives with Symmetry = none.");
   if (!mesh.file.empty())
     throw UserError("Mesh/File = " + mesh.file + ": drops on soft substrates make their own mesh. Remove it.");
   if (is_axial() && substrate.shape == "block")

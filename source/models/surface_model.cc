@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/edge_loops.h>
+#include <pellicle/discretization/hanging_nodes.h>
 #include <pellicle/discretization/split_line.h>
 #include <pellicle/discretization/surface_quality.h>
 #include <pellicle/models/contact_augmentation.h>
@@ -18,14 +19,15 @@ namespace
 {
 // Divides by the scene's length and moves the centroid of the nodes to the origin (a meridian only along z), so that
 // round-off knows neither units nor place.
-std::array<double, 3> normalise(SurfaceDiscretization &discretization, const double length, const bool stays)
+std::array<double, 3> normalise(SurfaceDiscretization &discretization, const double length, const bool stays,
+                                const MirrorPlanes &planes)
 {
   std::array<double, 3> centre{};
   const bool meridian = discretization.kind == SurfaceDiscretization::Kind::meridian;
   for (unsigned int c = meridian ? 2 : 0; c < 3; ++c)
   {
     // An open surface has no volume of its own: that over its rim's plane, where it starts, must stay what it is.
-    if (stays || discretization.mirror || !discretization.is_closed())
+    if (stays || planes.normal_to[c] || discretization.mirror || !discretization.is_closed())
       continue;
     for (std::size_t I = 0; I < discretization.n_nodes; ++I)
       centre[c] += discretization.positions[3 * I + c] / static_cast<double>(discretization.n_nodes);
@@ -66,13 +68,17 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
     , communicator(communicator)
     , timing(timing)
     , discretization(scene.start_mesh())
+    , planes(scene.mesh.mirror_planes())
+    , euler_number(
+          euler_characteristic(planes.any() ? UnfoldedSurface(discretization, planes).surface() : discretization))
     , own_surroundings(scene.surroundings())
     , own_measures(scene.measures(unit))
     , stability_parameters(scene.stability)
     , analyses_stability(scene.has_analysis("stability"))
 {
-  centroid = normalise(discretization, unit.length, scene.has_origin());
+  centroid = normalise(discretization, unit.length, scene.has_origin(), planes);
   add_node_noise(scene.node_noise());
+  join_hanging_nodes(discretization); // which a scene may have placed as it places the others
   set_blas_threads(newton.threads);
   take_from_mesh(scene);
   PotentialSet potentials = potentials_of(scene);
@@ -214,7 +220,7 @@ PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
   targets           = scene.targets(unit);
   targets.reference = reference;
   scene.add_references(solved_mesh(), targets);
-  targets.euler_characteristic = euler_characteristic(discretization);
+  targets.euler_characteristic = euler_number;
   for (SceneEdge &edge : targets.edges)
   {
     if (const auto known = conormals.find(edge.name); known != conormals.end())
@@ -362,6 +368,8 @@ void SurfaceModel::look_at_stability(EquilibriumSearch &search)
     last_stability                 = analyse_stability(
                         *problem, *solver, static_cast<unsigned int>(std::max(stability_parameters.eigenvalues, follow ? 1 : 0)));
     problem->set_state(equilibrium);
+    if (planes.any() && descents == 0)
+      search.warn("Mesh/Symmetry: the stability is that against deformations with the symmetry of the mesh.");
     if (last_stability && !last_stability->failure.empty())
       search.warn("The lowest eigenvalues were not found: " + last_stability->failure);
     if (!last_stability || last_stability->negative_eigenvalues == 0)

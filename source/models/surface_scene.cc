@@ -16,12 +16,20 @@ void MeshParameters::bind(ParameterSection &section)
   section.integer("Refinements", refinements, 0, 8,
                   "Refinements r of the coarsest mesh: a closed surface has 6 * 4^r cells, a meridian 4 * 2^r from "
                   "pole to pole, a cap 12 * 4^r and 2 * 2^r from pole to rim.");
-  section.choice("Symmetry", symmetry, {"none", "axial", "axial mirror"},
-                 "none: a surface in space. axial: a meridian, revolved about the z axis. axial mirror: its upper "
+  section.choice("Symmetry", symmetry, {"none", "half", "quarter", "octant", "axial", "axial mirror"},
+                 "none: a surface in space. half, quarter, octant: the part y >= 0 of it, x, y >= 0, or x, y, z >= 0, "
+                 "whose mirror images are the rest; the numbers are those of the whole, and only deformations with "
+                 "these symmetries are possible. axial: a meridian, revolved about the z axis. axial mirror: its upper "
                  "half, mirrored at z = 0.");
   section.word("File", file,
                "Gmsh MSH 4.1 file with quadrilaterals or triangles, for Vesicle/Start shape = file. Relative to the "
                "scene file.");
+}
+
+MirrorPlanes MeshParameters::mirror_planes() const
+{
+  return {{symmetry == "quarter" || symmetry == "octant",
+           symmetry == "half" || symmetry == "quarter" || symmetry == "octant", symmetry == "octant"}};
 }
 
 void BranchParameters::bind(ParameterSection &section)

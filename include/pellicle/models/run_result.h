@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/assembly/cell_loops.h>
+
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -24,6 +26,8 @@ struct UnknownCounts
 {
   std::size_t total = 0;
   std::vector<std::pair<std::string, std::size_t>> blocks; ///< name of the block, number of its unknowns
+  /** Of the matrix that the first process holds, both triangles; 0: nothing has been solved. */
+  std::size_t matrix_entries = 0;
 };
 
 /** What Newton's method did in the whole run. */
@@ -62,6 +66,7 @@ struct RunResult
   std::vector<std::string> warnings;
   std::size_t n_cells = 0; ///< of the surface (ridge: of the bulk)
   unsigned int degree = 0;
+  std::vector<CellLoop> loops; ///< what the assembler visits for the listed effects
   UnknownCounts unknowns;
   NewtonCounts newton;
   RunSeconds seconds;

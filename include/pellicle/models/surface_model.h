@@ -4,6 +4,7 @@
 #include <pellicle/base/observer.h>
 #include <pellicle/base/timing.h>
 #include <pellicle/models/equilibrium_search.h>
+#include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_motion.h>
 #include <pellicle/models/surface_sample.h>
 #include <pellicle/models/surface_scene.h>
@@ -140,6 +141,8 @@ private:
     values.resize(3 * discretization.n_nodes);
     return values;
   }
+  /** Also where the mesh is a part of the surface. */
+  ShapeMeasures measure_whole() const;
   void add_node_noise(const NodeNoise &noise);
   void check_constraints_are_independent();
   void add_pairs(const SurfaceScene &scene, const Communicator &communicator);
@@ -171,6 +174,8 @@ private:
   Timing &timing;
   std::array<double, 3> centroid{};
   SurfaceDiscretization discretization;
+  MirrorPlanes planes;                        ///< between which the discretization is a part of the surface
+  int euler_number = 2;                       ///< Euler characteristic of the whole
   std::optional<SurfaceDiscretization> split; ///< along the line around a domain, where the moment jumps there
   std::unique_ptr<SurfaceProblem> problem;
   std::unique_ptr<LinearSolver> solver;

@@ -4,7 +4,9 @@
 #include <pellicle/assembly/nodal_conditions.h>
 #include <pellicle/assembly/pair_term.h>
 #include <pellicle/base/parameters.h>
+#include <pellicle/discretization/refinement.h>
 #include <pellicle/discretization/surface_discretization.h>
+#include <pellicle/discretization/symmetric_part.h>
 #include <pellicle/models/accuracy.h>
 #include <pellicle/models/active_set.h>
 #include <pellicle/models/stability.h>
@@ -34,8 +36,14 @@ struct MeshParameters
   int refinements      = 2;
   std::string symmetry = "none";
   std::string file;
+  /** Cells that are cut further, see Refinement: of a run that adapts its mesh, not of the scene. */
+  std::vector<CellPlace> cut;
 
+  Refinement refinement() const { return {static_cast<unsigned int>(refinements), cut}; }
   void bind(ParameterSection &section);
+  bool is_axial() const { return symmetry == "axial" || symmetry == "axial mirror"; }
+  /** The planes between which only a part of the surface is meshed. */
+  MirrorPlanes mirror_planes() const;
 };
 
 /** Section "Continuation". */

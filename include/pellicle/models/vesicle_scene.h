@@ -79,6 +79,10 @@ protected:
   double own_length() const override;
   void set_targets(const Scales &scales, SceneTargets &targets) const override;
   bool is_fixed(const std::string &parameter) const override;
+
+private:
+  /** What a part between planes of symmetry cannot be. Throws UserError. */
+  void check_part() const;
 };
 
 /** A scene with the named effects of a library, parameters at their defaults. Throws UserError for an unknown effect.
