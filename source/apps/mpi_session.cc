@@ -15,6 +15,8 @@ MpiSession::MpiSession(int &argc, char **&argv)
   MPI_Initialized(&running);
   if (running == 0)
   {
+    constexpr const char *topology_sources = "HWLOC_COMPONENTS";
+    const bool has_sources                 = std::getenv(topology_sources) != nullptr;
     // Started by hand and not by mpirun, Open MPI would launch a daemon and look for networks: 0.3 s for one process
     // that talks to nobody.
     if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMIX_RANK") == nullptr &&
@@ -27,8 +29,12 @@ MpiSession::MpiSession(int &argc, char **&argv)
       setenv("OMPI_MCA_orte_create_session_dirs", "0", keep_users_choice);
       setenv("OMPI_MCA_pml", "ob1", keep_users_choice);
       setenv("OMPI_MCA_btl", "self", keep_users_choice);
+      // Nor need it know the machine: looking at its buses and caches takes as long as the rest.
+      setenv(topology_sources, "no_os,stop", keep_users_choice);
     }
     MPI_Init(&argc, &argv);
+    if (!has_sources)
+      unsetenv(topology_sources); // programs that this one starts know nothing of it
     own = true;
   }
 }

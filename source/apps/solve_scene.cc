@@ -4,10 +4,11 @@
 #include <pellicle/apps/surface_run.h>
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/expression.h>
-#include <pellicle/discretization/surface_quality.h>
 #include <pellicle/models/jump_detector.h>
+#include <pellicle/models/self_contact.h>
 
 #include <cmath>
+#include <utility>
 
 namespace pellicle
 {
@@ -30,7 +31,7 @@ void warn_of_folds(const SurfaceModel &model, RunResult &result)
   constexpr double largest_defect = 0.5;
   if (!model.mesh().is_closed())
     return;
-  const int exact = euler_characteristic(model.mesh());
+  const int exact = model.scene_targets().euler_characteristic;
   for (const auto &[name, value] : result.quantities)
     if (name == "gauss_bonnet" && std::abs(value - exact) > largest_defect)
       result.warnings.push_back("gauss_bonnet is " + exact_text(value) + " and should be " + std::to_string(exact) +
@@ -79,15 +80,15 @@ std::vector<Leg> legs_of(const SurfaceSceneFile &file, const SurfaceScene &scene
 class Walk
 {
 public:
-  Walk(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer,
-       const SolutionSink &sink, RunMemory &memory)
+  Walk(std::vector<Leg> legs, SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model,
+       Observer &observer, const SolutionSink &sink, RunMemory &memory)
       : file(file)
       , first(first)
       , model(model)
       , observer(observer)
       , sink(sink)
       , memory(memory)
-      , legs(legs_of(file, first))
+      , legs(std::move(legs))
   {
   }
 
@@ -125,7 +126,7 @@ private:
   {
     double end = legs.empty() ? 0. : legs.back().to;
     archive.name("load path");
-    archive | here | position | accepted | end | jumps | result | followed;
+    archive | here | position | accepted | end | jumps | self_contact | result | followed;
     if (archive.is_reading())
     {
       n_kept = result.newton.steps;
@@ -278,7 +279,7 @@ private:
       failure = outcome.failure;
       return false;
     }
-    if (leg() != nullptr && left_the_branch(value, before))
+    if (leg() != nullptr && left_the_branch(value, before, outcome.iterations))
     {
       failure = "the state found is on another branch";
       return false;
@@ -292,12 +293,13 @@ private:
     return true;
   }
 
-  bool left_the_branch(const double value, const SurfaceState &before)
+  bool left_the_branch(const double value, const SurfaceState &before, const int iterations)
   {
     // A jump is believed, and reported, after a few attempts with shorter steps or when no shorter one is allowed; a
     // load path of the scene's own must not jump at all.
-    constexpr int attempts_before_a_jump_counts = 4;
-    if (!jumps.has_jumped(model, scene(), value))
+    constexpr int attempts_before_a_jump_counts = 4, iterations_of_a_hard_step = 12;
+    const double tolerance = iterations > iterations_of_a_hard_step ? JumpDetector::close : JumpDetector::usual;
+    if (!jumps.has_jumped(model, scene(), value, tolerance))
       suspected_jumps = 0;
     else if (leg()->is_stage() ||
              (++suspected_jumps < attempts_before_a_jump_counts &&
@@ -336,6 +338,12 @@ private:
     if (model.stability())
       done.quantities.emplace_back("negative_eigenvalues", model.stability()->negative_eigenvalues);
     observer.on_step(done);
+    const std::string place = legs.empty() ? "" : leg()->parameter + " = " + exact_text(value);
+    if (const std::optional<std::string> warning = self_contact.look(result.quantities, place))
+    {
+      result.warnings.push_back(*warning);
+      observer.on_message(*warning);
+    }
   }
 
   /** The walk has ended on a leg: says so, or follows the branch through the fold if section Continuation names the
@@ -427,6 +435,7 @@ private:
   std::size_t here = 0;  ///< number of the leg
   LoadPosition position; ///< on it
   JumpDetector jumps{""};
+  SelfContactWatch self_contact;
   int suspected_jumps = 0;
   double accepted     = 0.; ///< value of the leg's parameter at the last equilibrium
   int n_kept          = 0;  ///< steps of which the last one was offered to the memory
@@ -438,6 +447,13 @@ private:
 RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer,
                       const SolutionSink &sink, RunMemory &memory)
 {
-  return Walk(file, first, model, observer, sink, memory).run();
+  return Walk(legs_of(file, first), file, first, model, observer, sink, memory).run();
+}
+
+RunResult solve_here(SurfaceSceneFile &file, const SurfaceScene &scene, SurfaceModel &model, Observer &observer,
+                     const SolutionSink &sink)
+{
+  RunMemory nothing;
+  return Walk({}, file, scene, model, observer, sink, nothing).run();
 }
 } // namespace pellicle

@@ -2,7 +2,9 @@
 #include "checkpoints.h"
 #include "mpi_session.h"
 #include "run_output.h"
+#include "validation_report.h"
 
+#include <pellicle/apps/accuracy_run.h>
 #include <pellicle/apps/surface_application.h>
 #include <pellicle/apps/surface_run.h>
 #include <pellicle/apps/time_run.h>
@@ -24,18 +26,6 @@ namespace pellicle
 namespace
 {
 namespace fs = std::filesystem;
-
-void print_validation(const SurfaceScene &scene, const SurfaceModel &model)
-{
-  std::cout << "The scene is valid.\nEffects:";
-  for (const auto &effect : scene.effects)
-    std::cout << "\n  " << effect->name() << ": " << effect->description();
-  std::cout << "\nMesh: " << model.n_cells() << " cells of degree " << model.mesh().degree << ", "
-            << model.mesh().n_nodes << " nodes\nFields:";
-  for (const Field &field : model.equilibrium().layout().fields())
-    std::cout << ' ' << field.name;
-  std::cout << std::endl;
-}
 
 void print_result(const RunResult &result, const fs::path &directory)
 {
@@ -89,16 +79,18 @@ int run(const SurfaceApplication &application, const CommandLine &command_line, 
   const auto whole_run =
       std::find_if(application.analyses.begin(), application.analyses.end(),
                    [&](const WholeRunAnalysis &analysis) { return scene->has_analysis(analysis.name); });
-  if (whole_run != application.analyses.end() && scene->checkpoint.every > 0)
-    throw UserError("Checkpoint/Every = " + std::to_string(scene->checkpoint.every) + ": the analysis '" +
-                    whole_run->name + "' writes no checkpoints. Set it to 0.");
+  if (scene->checkpoint.every > 0 && (whole_run != application.analyses.end() || scene->accuracy.is_wanted()))
+    throw UserError("Checkpoint/Every = " + std::to_string(scene->checkpoint.every) + ": a run with " +
+                    (scene->accuracy.is_wanted() ? "Accuracy/Target" : "the analysis '" + whole_run->name + "'") +
+                    " writes no checkpoints. Set it to 0.");
   if (!scene->load.parameter.empty())
     scene = scene_at_start_of_load(file, scene->load);
-  auto model = std::make_unique<SurfaceModel>(*scene, communicator, timing);
+  const bool has_own_mesh = !scene->accuracy.is_wanted() || command_line.validate; // else it is made level by level
+  auto model              = has_own_mesh ? std::make_unique<SurfaceModel>(*scene, communicator, timing) : nullptr;
   if (command_line.validate)
   {
     if (first_process)
-      print_validation(*scene, *model);
+      write_validation_report(*scene, *model, timing, std::cout);
     return 0;
   }
 
@@ -120,6 +112,8 @@ int run(const SurfaceApplication &application, const CommandLine &command_line, 
     model = whole_run->run({file, communicator, timing, output.observer(), write_solution}, *scene, result);
     describe(*scene, *model, result);
   }
+  else if (scene->accuracy.is_wanted())
+    model = run_to_accuracy({file, communicator, timing, output.observer(), write_solution}, *scene, result);
   else if (scene->motion() != nullptr)
     result = run_in_time(*scene, *model, output.observer(), write_solution, checkpoints);
   else

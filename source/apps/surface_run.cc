@@ -125,6 +125,12 @@ std::string commented_scene_of(const SurfaceApplication &application)
   return commented_scene(description);
 }
 
+std::size_t n_entries(const SparseMatrix &matrix)
+{
+  const std::size_t stored = matrix.columns.size(), diagonal = static_cast<std::size_t>(matrix.size);
+  return matrix.symmetry == MatrixSymmetry::symmetric ? 2 * stored - diagonal : stored;
+}
+
 void describe(const SurfaceScene &scene, const SurfaceModel &model, RunResult &result)
 {
   for (const auto &effect : scene.effects)
@@ -137,6 +143,10 @@ void describe(const SurfaceScene &scene, const SurfaceModel &model, RunResult &r
     result.unknowns.blocks.emplace_back(name, n);
     result.unknowns.total += n;
   }
+  if (!model.unknown_counts().empty())
+    result.unknowns.matrix_entries = n_entries(model.equilibrium().matrix());
+  result.loops = cell_loops(model.equilibrium().discretization(), model.equilibrium().potentials());
+  result.linear_solver = model.linear_solver();
   if (const std::optional<Stability> &stability = model.stability())
   {
     result.stability                       = StabilityCounts{};

@@ -13,6 +13,20 @@ Vector3<double> normalised(const Vector3<double> &v)
 {
   return (1. / norm(v)) * v;
 }
+
+/** A line that ends on a plane of symmetry goes on as its mirror image: together their tangents are normal to the
+ * plane, of whose directions nothing is left. */
+Vector3<double> across_plane(const AdmissibleDirections &in_plane, Vector3<double> t)
+{
+  if (in_plane.count == 3)
+    return t;
+  for (unsigned int j = 0; j < in_plane.count; ++j)
+  {
+    const Vector3<double> e(in_plane.columns[j][0], in_plane.columns[j][1], in_plane.columns[j][2]);
+    t -= dot(t, e) * e;
+  }
+  return t;
+}
 } // namespace
 
 std::map<std::size_t, Vector3<double>> nodal_line_tangents(const SurfaceDiscretization &discretization,
@@ -37,6 +51,10 @@ std::map<std::size_t, Vector3<double>> nodal_line_tangents(const SurfaceDiscreti
         for (unsigned int j = 0; j < along.n_nodes; ++j)
           tangents[nodes[i]] += along.tables[1][std::size_t(i) * along.n_nodes + j] * vector_at(positions, nodes[j]);
     }
+  for (const EdgeLoop &loop : discretization.edges)
+    if (loop.cell_nodes.front() != loop.cell_nodes.back() && !discretization.admissible.empty())
+      for (const std::size_t node : {loop.cell_nodes.front(), loop.cell_nodes.back()})
+        tangents[node] = across_plane(discretization.admissible[node], tangents[node]);
   for (auto &[node, t] : tangents)
     t = normalised(t);
   return tangents;

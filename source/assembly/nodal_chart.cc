@@ -24,6 +24,15 @@ std::vector<Direction> admissible_directions(const SurfaceDiscretization &discre
   return directions;
 }
 
+/** On a plane of symmetry, what a vector has in common with its mirror image. */
+Direction admissible_part(const SurfaceDiscretization &discretization, const std::size_t node, const Direction &v)
+{
+  Direction part;
+  for (const Direction &e : admissible_directions(discretization, node))
+    part += dot(v, e) * e;
+  return part;
+}
+
 void append_column(NodalChart::Node &node, const Direction &d, const bool mesh_equation)
 {
   for (unsigned int c = 0; c < 3; ++c)
@@ -183,11 +192,8 @@ NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const No
   {
     if (!on_surface[I])
       continue;
-    const Vector3<double> sum = vector_at(normals, I);
-    Vector3<double> d;
-    for (const Direction &e : admissible_directions(discretization, I))
-      d += dot(sum, e) * e;
-    const double length = norm(d);
+    const Vector3<double> d = admissible_part(discretization, I, vector_at(normals, I));
+    const double length     = norm(d);
     PELLICLE_ASSERT(length > 0., "a node without a normal");
     for (unsigned int c = 0; c < 3; ++c)
       normals[3 * I + c] = d[c] / length;
@@ -208,9 +214,11 @@ NodalVectors nodal_normals_at_edges(const SurfaceDiscretization &discretization,
   NodalVectors normals = sums_of_normals(discretization, positions, [&](const std::size_t c) { return is_left[c]; });
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
   {
-    const double length = on_edge[I] ? norm(vector_at(normals, I)) : 0.;
+    const Vector3<double> d =
+        on_edge[I] ? admissible_part(discretization, I, vector_at(normals, I)) : Vector3<double>();
+    const double length = norm(d);
     for (unsigned int c = 0; c < 3; ++c)
-      normals[3 * I + c] = length > 0. ? normals[3 * I + c] / length : 0.;
+      normals[3 * I + c] = length > 0. ? d[c] / length : 0.;
   }
   return normals;
 }

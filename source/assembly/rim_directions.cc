@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/edge_frames.h>
+#include <pellicle/assembly/hanging_carriers.h>
 #include <pellicle/assembly/rim_directions.h>
 #include <pellicle/base/constants.h>
 #include <pellicle/discretization/point_walk.h>
 
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace pellicle
@@ -73,6 +77,40 @@ Eigen::SparseMatrix<double> screened_laplacian(const SurfaceDiscretization &disc
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
+
+/** Solutions with given values at the same nodes. */
+struct Continuation
+{
+  Continuation(Eigen::SparseMatrix<double> matrix, std::vector<bool> nodes)
+      : is_given(std::move(nodes))
+  {
+    matrix.prune([&](const Eigen::Index i, const Eigen::Index j, const double)
+                 { return i == j || (!is_given[i] && !is_given[j]); });
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+      if (is_given[i])
+        matrix.coeffRef(i, i) = 1.;
+    factorised = std::make_unique<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>(matrix);
+  }
+
+  Eigen::VectorXd operator()(const Eigen::SparseMatrix<double> &matrix, const Eigen::VectorXd &given) const
+  {
+    Eigen::VectorXd right = -(matrix * given);
+    for (Eigen::Index i = 0; i < right.size(); ++i)
+      if (is_given[i])
+        right[i] = given[i];
+    return factorised->solve(right);
+  }
+
+  std::vector<bool> is_given;
+  std::unique_ptr<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> factorised;
+};
+
+/** Whether vectors at a node may have a component along an axis. */
+bool has_component(const AdmissibleDirections &directions, const int c)
+{
+  return std::any_of(directions.columns.begin(), directions.columns.begin() + directions.count,
+                     [&](const std::array<double, 3> &column) { return column[c] != 0.; });
+}
 } // namespace
 
 NodalVectors directions_towards_bodies(const FieldConditions &conditions, const SurfaceDiscretization &discretization,
@@ -83,25 +121,25 @@ NodalVectors directions_towards_bodies(const FieldConditions &conditions, const 
       directions_across(conditions, discretization, positions, at_edges);
   if (across.empty())
     return normals;
-  Eigen::SparseMatrix<double> matrix = screened_laplacian(discretization, positions);
-  const auto size                    = matrix.rows();
-  Eigen::MatrixXd given              = Eigen::MatrixXd::Zero(size, 3);
-  std::vector<bool> is_given(static_cast<std::size_t>(size), false);
-  for (const auto &[node, m] : across)
+  const Eigen::SparseMatrix<double> matrix = condensed(discretization, screened_laplacian(discretization, positions));
+  const bool is_in_space                   = discretization.kind == SurfaceDiscretization::Kind::surface;
+  std::vector<Continuation> continuations;
+  Eigen::MatrixXd b(matrix.rows(), 3);
+  for (int c = 0; c < 3; ++c)
   {
-    is_given[node] = true;
-    for (unsigned int c = 0; c < 3; ++c)
-      given(static_cast<int>(node), c) = m[c] - at_edges[3 * node + c];
+    std::vector<bool> is_given(static_cast<std::size_t>(matrix.rows()), false);
+    for (std::size_t I = 0; I < discretization.admissible.size() && is_in_space; ++I)
+      is_given[I] = !has_component(discretization.admissible[I], c); // a plane of symmetry
+    Eigen::VectorXd given = Eigen::VectorXd::Zero(matrix.rows());
+    for (const auto &[node, m] : across)
+    {
+      is_given[node]                = true;
+      given[static_cast<int>(node)] = m[c] - at_edges[3 * node + c];
+    }
+    if (continuations.empty() || continuations.back().is_given != is_given)
+      continuations.emplace_back(matrix, std::move(is_given));
+    b.col(c) = continuations.back()(matrix, given);
   }
-  Eigen::MatrixXd right = -(matrix * given);
-  for (const auto &[node, m] : across)
-    right.row(static_cast<int>(node)) = given.row(static_cast<int>(node));
-  matrix.prune([&](const Eigen::Index i, const Eigen::Index j, const double)
-               { return i == j || (!is_given[i] && !is_given[j]); });
-  for (const auto &[node, m] : across)
-    matrix.coeffRef(static_cast<int>(node), static_cast<int>(node)) = 1.;
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factorised(matrix);
-  const Eigen::MatrixXd b = factorised.solve(right);
 
   NodalVectors directions = normals;
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)

@@ -3,8 +3,8 @@
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/surface_discretization.h>
 
+#include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q.h>
 
 #include <algorithm>
 
@@ -38,37 +38,57 @@ ShapeTables empty_tables(const unsigned int n_nodes, const std::vector<double> &
   return t;
 }
 
+/** Values and first two derivatives of all shape functions of a line at each point, along one direction. */
+template <int dim>
+std::vector<std::array<double, 3>> tabulate_line(const std::vector<dealii::Polynomials::Polynomial<double>> &basis,
+                                                 const std::vector<dealii::Point<dim>> &points, const unsigned int d)
+{
+  std::vector<std::array<double, 3>> line;
+  line.reserve(points.size() * basis.size());
+  for (const dealii::Point<dim> &point : points)
+    for (const auto &polynomial : basis)
+    {
+      line.emplace_back();
+      polynomial.value(point[d], 2, line.back().data());
+    }
+  return line;
+}
+
+/** Products of FE_Q's polynomials, lexicographic. */
 template <int dim>
 ShapeTables tabulate(const unsigned int degree, const std::vector<dealii::Point<dim>> &points,
                      const std::vector<double> &weights)
 {
   PELLICLE_ASSERT(degree >= 1, "piecewise constants do not describe a surface");
-  const dealii::FE_Q<dim> fe(degree);
-  const std::vector<unsigned int> dof_of =
-      fe.get_poly_space_numbering_inverse(); // lexicographic -> deal.II's numbering
+  const unsigned int n = degree + 1;
+  const auto basis  = dealii::Polynomials::generate_complete_Lagrange_basis(dealii::QGaussLobatto<1>(n).get_points());
+  const auto first  = tabulate_line<dim>(basis, points, 0);
+  const auto second = tabulate_line<dim>(basis, points, dim - 1);
 
-  ShapeTables t = empty_tables<dim>(fe.n_dofs_per_cell(), weights);
+  ShapeTables t = empty_tables<dim>(dim == 2 ? n * n : n, weights);
   for (unsigned int q = 0; q < t.n_points; ++q)
     for (unsigned int i = 0; i < t.n_nodes; ++i)
     {
       const std::size_t at = std::size_t(q) * t.n_nodes + i;
-      const double value   = fe.shape_value(dof_of[i], points[q]);
-      const auto gradient  = fe.shape_grad(dof_of[i], points[q]);
-      const auto hessian   = fe.shape_grad_grad(dof_of[i], points[q]);
-      t.tables[0][at]      = value;
-      t.tables[1][at]      = gradient[0];
-      t.tables[3][at]      = hessian[0][0];
+      const auto &u        = first[q * n + i % n];
       if constexpr (dim == 2)
       {
-        t.tables[2][at] = gradient[1];
-        t.tables[4][at] = hessian[0][1];
-        t.tables[5][at] = hessian[1][1];
+        const auto &v   = second[q * n + i / n];
+        t.tables[0][at] = u[0] * v[0];
+        t.tables[1][at] = u[1] * v[0];
+        t.tables[2][at] = u[0] * v[1];
+        t.tables[3][at] = u[2] * v[0];
+        t.tables[4][at] = u[1] * v[1];
+        t.tables[5][at] = u[0] * v[2];
       }
       else
       {
-        t.tables[2][at] = value;
-        t.tables[4][at] = gradient[0];
-        t.tables[5][at] = value;
+        t.tables[0][at] = u[0];
+        t.tables[1][at] = u[1];
+        t.tables[2][at] = u[0];
+        t.tables[3][at] = u[2];
+        t.tables[4][at] = u[1];
+        t.tables[5][at] = u[0];
       }
     }
   return t;

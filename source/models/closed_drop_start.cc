@@ -57,6 +57,7 @@ SurfaceDiscretization sphere_of_volume(const DropletScene &scene, const double v
   sphere.area        = 4. * pi * std::pow(3. * volume / (4. * pi), 2. / 3.);
   sphere.degree      = static_cast<unsigned int>(scene.mesh.degree);
   sphere.refinements = static_cast<unsigned int>(scene.mesh.refinements);
+  sphere.cut         = scene.mesh.cut;
   sphere.axial       = scene.mesh.symmetry == "axial";
   return make_start_shape(sphere);
 }

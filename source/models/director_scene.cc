@@ -79,6 +79,9 @@ void DirectorScene::check() const
   if (find<DirectorEffect>() == nullptr)
     throw UserError("The list Effects has no 'director': this application solves for directors. Add it, or use the "
                     "application 'vesicle'.");
+  if (mesh.mirror_planes().any())
+    throw UserError("Mesh/Symmetry = " + mesh.symmetry +
+                    ": directors are computed on the whole surface or on a meridian. Set it to none or axial.");
   inclusion.check(carrier.shape, mesh.symmetry);
   if (has_inclusion() && std::isinf(find<DirectorEffect>()->parameters.tilt_modulus))
     throw UserError("Director/Tilt modulus = inf: directors that stay normal cannot be tilted at an inclusion. Take a "

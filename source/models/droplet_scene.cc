@@ -103,6 +103,7 @@ void DropletScene::check() const
   if (mesh.symmetry == "axial mirror")
     throw UserError(
         "Mesh/Symmetry = axial mirror: a drop on a substrate has no mirror plane z = 0. Take axial or none.");
+  check_part();
   if (!mesh.file.empty())
     throw UserError("Mesh/File = " + mesh.file + ": drops make their own mesh. Remove it.");
   if (droplet.contact_angle == 180. && is_cap_only())
@@ -163,6 +164,23 @@ void DropletScene::check() const
   }
   check_line_pinning();
   SurfaceScene::check();
+}
+
+// Gravity along x leaves the plane y = 0.
+void DropletScene::check_part() const
+{
+  const MirrorPlanes planes = mesh.mirror_planes();
+  if (!planes.any())
+    return;
+  const std::string choice = "Mesh/Symmetry = " + mesh.symmetry;
+  if (planes.normal_to[2])
+    throw UserError(choice + ": a drop on a substrate has no mirror plane z = 0. Take quarter, half or none.");
+  if (planes.normal_to[0] && is_pulled_along())
+    throw UserError("Droplet/Inclination = " + exact_text(droplet.inclination) + " with " + choice +
+                    ": a drop that is pulled along x is symmetric at y = 0 only. Set Symmetry to half.");
+  if (!droplet.angle_field.empty() || substrate.shape == "height field")
+    throw UserError(choice + " with a contact angle or a height that depends on the place is not possible: set it to "
+                             "none.");
 }
 
 void DropletScene::check_line_pinning() const
@@ -343,12 +361,13 @@ SurfaceDiscretization DropletScene::start_mesh() const
                                   : has_two_plates() ? droplet_bridge(*this)
                                                      : droplet_cap(*this);
   surface.rigid_motions         = free_motions();
-  return surface;
+  return symmetric_part(surface, mesh.mirror_planes());
 }
 
 std::optional<NodalVectors> DropletScene::reference_positions() const
 {
-  return sphere_of_volume(*this, droplet.reference_volume > 0. ? droplet.reference_volume : droplet.volume).positions;
+  const double volume = droplet.reference_volume > 0. ? droplet.reference_volume : droplet.volume;
+  return symmetric_part(sphere_of_volume(*this, volume), mesh.mirror_planes()).positions;
 }
 
 SurfaceMeasures DropletScene::measures(const Scales & /*scales*/) const

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/edge_loops.h>
+#include <pellicle/discretization/hanging_nodes.h>
 #include <pellicle/discretization/split_line.h>
 #include <pellicle/discretization/surface_quality.h>
 #include <pellicle/models/contact_augmentation.h>
 #include <pellicle/models/random_vectors.h>
+#include <pellicle/models/state_transfer.h>
 #include <pellicle/models/surface_model.h>
 
 #include <algorithm>
@@ -17,14 +19,15 @@ namespace
 {
 // Divides by the scene's length and moves the centroid of the nodes to the origin (a meridian only along z), so that
 // round-off knows neither units nor place.
-std::array<double, 3> normalise(SurfaceDiscretization &discretization, const double length, const bool stays)
+std::array<double, 3> normalise(SurfaceDiscretization &discretization, const double length, const bool stays,
+                                const MirrorPlanes &planes)
 {
   std::array<double, 3> centre{};
   const bool meridian = discretization.kind == SurfaceDiscretization::Kind::meridian;
   for (unsigned int c = meridian ? 2 : 0; c < 3; ++c)
   {
     // An open surface has no volume of its own: that over its rim's plane, where it starts, must stay what it is.
-    if (stays || discretization.mirror || !discretization.is_closed())
+    if (stays || planes.normal_to[c] || discretization.mirror || !discretization.is_closed())
       continue;
     for (std::size_t I = 0; I < discretization.n_nodes; ++I)
       centre[c] += discretization.positions[3 * I + c] / static_cast<double>(discretization.n_nodes);
@@ -65,13 +68,17 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
     , communicator(communicator)
     , timing(timing)
     , discretization(scene.start_mesh())
+    , planes(scene.mesh.mirror_planes())
+    , euler_number(
+          euler_characteristic(planes.any() ? UnfoldedSurface(discretization, planes).surface() : discretization))
     , own_surroundings(scene.surroundings())
     , own_measures(scene.measures(unit))
     , stability_parameters(scene.stability)
     , analyses_stability(scene.has_analysis("stability"))
 {
-  centroid = normalise(discretization, unit.length, scene.has_origin());
+  centroid = normalise(discretization, unit.length, scene.has_origin(), planes);
   add_node_noise(scene.node_noise());
+  join_hanging_nodes(discretization); // which a scene may have placed as it places the others
   set_blas_threads(newton.threads);
   take_from_mesh(scene);
   PotentialSet potentials = potentials_of(scene);
@@ -191,12 +198,29 @@ void SurfaceModel::update(const SurfaceScene &scene)
   problem->set_potentials(std::move(potentials));
 }
 
+bool SurfaceModel::start_from(const SurfaceModel &solved)
+{
+  PELLICLE_ASSERT(unit.length == solved.unit.length && unit.energy == solved.unit.energy,
+                  "models of one scene have the same units");
+  const Vector3<double> shift       = (1. / unit.length) * (origin() - solved.origin());
+  std::optional<SurfaceState> state = transferred_state(*solved.problem, *problem, shift);
+  if (!state)
+    return false;
+  for (const auto &active : active_sets)
+    if (!active->take_over(state->fields))
+      return false;
+  problem->set_state(std::move(*state));
+  if (!active_sets.empty())
+    apply_active_sets();
+  return true;
+}
+
 PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
 {
   targets           = scene.targets(unit);
   targets.reference = reference;
   scene.add_references(solved_mesh(), targets);
-  targets.euler_characteristic = euler_characteristic(discretization);
+  targets.euler_characteristic = euler_number;
   for (SceneEdge &edge : targets.edges)
   {
     if (const auto known = conormals.find(edge.name); known != conormals.end())
@@ -227,20 +251,34 @@ void SurfaceModel::take_from_mesh(const SurfaceScene &scene)
     conormals[name] = std::make_shared<const std::vector<Vector3<double>>>(std::move(of_rim));
 }
 
+NodalVectors SurfaceModel::mesh_reference() const
+{
+  return newton.mesh_reference == "start shape" && !solved_mesh().mesh_reference.empty() ? solved_mesh().mesh_reference
+                                                                                         : problem->state().fields[0];
+}
+
+bool SurfaceModel::take_one_step()
+{
+  const NodalVectors preferred = mesh_reference();
+  Observer nobody;
+  return EquilibriumSearch(newton, *problem, *solver, timing, preferred, 0, nobody).take_one_step();
+}
+
 StepResult SurfaceModel::solve(const int step, Observer &observer)
 {
-  const SurfaceState before         = problem->state();
-  const NodalVectors mesh_reference = newton.mesh_reference == "start shape" && !solved_mesh().mesh_reference.empty()
-                                          ? solved_mesh().mesh_reference
-                                          : before.fields[0];
+  const SurfaceState before    = problem->state();
+  const NodalVectors preferred = mesh_reference();
   InUsersUnits energies(observer, unit);
-  EquilibriumSearch search(newton, *problem, *solver, timing, mesh_reference, step, energies);
+  EquilibriumSearch search(newton, *problem, *solver, timing, preferred, step, energies);
   last_stability.reset();
   if (active_sets.empty())
     search.run();
   else
     solve_with_active_sets(search);
   count_unknowns();
+  last_linear_solver.reset();
+  if (search.result().converged && newton.condition_estimate)
+    look_at_matrix(search);
   if (search.result().converged && analyses_stability)
     look_at_stability(search);
   if (!search.result().converged)
@@ -333,6 +371,8 @@ void SurfaceModel::look_at_stability(EquilibriumSearch &search)
     last_stability                 = analyse_stability(
                         *problem, *solver, static_cast<unsigned int>(std::max(stability_parameters.eigenvalues, follow ? 1 : 0)));
     problem->set_state(equilibrium);
+    if (planes.any() && descents == 0)
+      search.warn("Mesh/Symmetry: the stability is that against deformations with the symmetry of the mesh.");
     if (last_stability && !last_stability->failure.empty())
       search.warn("The lowest eigenvalues were not found: " + last_stability->failure);
     if (!last_stability || last_stability->negative_eigenvalues == 0)
@@ -368,6 +408,23 @@ void SurfaceModel::show_last_iterate()
   catch (const SolveError &)
   {
     problem->set_state(kept); // a shape without a moment cannot be shown
+  }
+}
+
+void SurfaceModel::look_at_matrix(EquilibriumSearch &search)
+{
+  try
+  {
+    problem->linearize();
+    solver->factorize(problem->matrix());
+    if (const std::optional<Conditioning> conditioning = solver->conditioning(problem->matrix()))
+      last_linear_solver = LinearSolverReport{solver->name(), *conditioning, {}};
+    if (const std::optional<Inertia> inertia = solver->inertia(); inertia && last_linear_solver)
+      last_linear_solver->negative_pivots = inertia->negative;
+  }
+  catch (const SolveError &error)
+  {
+    search.warn(std::string("No condition number of the matrix at the equilibrium: ") + error.what());
   }
 }
 

@@ -48,8 +48,8 @@ Dimension dimension_of(const Field &field)
                                                                                  : dimensions::line_tension;
 }
 
-/** Whether the mesh is a part of the surface between mirror planes: its weights count the images, too. */
-bool is_part(const SurfaceDiscretization &discretization)
+/** Whether the mesh is a part of a shell between mirror planes: its weights count the images, too. */
+bool is_part_of_shell(const SurfaceDiscretization &discretization)
 {
   const std::vector<double> &weights = discretization.tables.weights;
   return discretization.kind == SurfaceDiscretization::Kind::surface &&
@@ -157,9 +157,9 @@ std::vector<std::pair<std::string, double>> SurfaceModel::quantities() const
   std::vector<std::pair<std::string, double>> list;
   const auto report = [&](const std::string &name, const double value, const Dimension dimension)
   { list.emplace_back(name, value * unit.of(dimension)); };
-  // Sheets that meet at a junction are no single shape, nor is a part between mirror planes.
-  const bool is_one_shape   = !discretization.has_junctions() && !is_part(discretization);
-  const ShapeMeasures shape = is_one_shape ? measure_shape(discretization, positions()) : ShapeMeasures();
+  // Sheets that meet at a junction are no single shape; of parts of shells the images are not made.
+  const bool is_one_shape   = planes.any() || (!discretization.has_junctions() && !is_part_of_shell(discretization));
+  const ShapeMeasures shape = is_one_shape ? measure_whole() : ShapeMeasures();
   const bool is_closed      = is_one_shape && discretization.is_closed();
   if (is_one_shape)
     report("area", shape.area, dimensions::area);
@@ -251,10 +251,29 @@ SurfaceSample SurfaceModel::sample() const
     for (std::size_t k = 0; k < last_stability->modes.size(); ++k)
       fields.push_back({"mode_" + std::to_string(k + 1), 3, of_surface(last_stability->modes[k])});
 
-  NodalVectors positions = scaled_values(of_surface(state.fields[0]), unit.length);
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    positions[i] += centroid[i % 3];
-  return make_sample(surface, positions, fields);
+  const auto at_centroid = [&](NodalVectors all)
+  {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i] += centroid[i % 3];
+    return all;
+  };
+  const NodalVectors positions = scaled_values(of_surface(state.fields[0]), unit.length);
+  if (planes.any())
+  {
+    const UnfoldedSurface whole(surface, planes);
+    for (SampledNodalField &field : fields)
+      field.values = whole.values(field.values, field.n_components);
+    return make_sample(whole.surface(), at_centroid(whole.values(positions, 3)), fields);
+  }
+  return make_sample(surface, at_centroid(positions), fields);
+}
+
+ShapeMeasures SurfaceModel::measure_whole() const
+{
+  if (!planes.any())
+    return measure_shape(discretization, positions());
+  const UnfoldedSurface whole(discretization, planes);
+  return measure_shape(whole.surface(), whole.values(positions(), 3));
 }
 
 std::vector<NamedSample> SurfaceModel::body_samples() const

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/exact_text.h>
 #include <pellicle/models/edge_conditions.h>
 #include <pellicle/models/surface_scene.h>
 
@@ -15,12 +16,20 @@ void MeshParameters::bind(ParameterSection &section)
   section.integer("Refinements", refinements, 0, 8,
                   "Refinements r of the coarsest mesh: a closed surface has 6 * 4^r cells, a meridian 4 * 2^r from "
                   "pole to pole, a cap 12 * 4^r and 2 * 2^r from pole to rim.");
-  section.choice("Symmetry", symmetry, {"none", "axial", "axial mirror"},
-                 "none: a surface in space. axial: a meridian, revolved about the z axis. axial mirror: its upper "
+  section.choice("Symmetry", symmetry, {"none", "half", "quarter", "octant", "axial", "axial mirror"},
+                 "none: a surface in space. half, quarter, octant: the part y >= 0 of it, x, y >= 0, or x, y, z >= 0, "
+                 "whose mirror images are the rest; the numbers are those of the whole, and only deformations with "
+                 "these symmetries are possible. axial: a meridian, revolved about the z axis. axial mirror: its upper "
                  "half, mirrored at z = 0.");
   section.word("File", file,
                "Gmsh MSH 4.1 file with quadrilaterals or triangles, for Vesicle/Start shape = file. Relative to the "
                "scene file.");
+}
+
+MirrorPlanes MeshParameters::mirror_planes() const
+{
+  return {{symmetry == "quarter" || symmetry == "octant",
+           symmetry == "half" || symmetry == "quarter" || symmetry == "octant", symmetry == "octant"}};
 }
 
 void BranchParameters::bind(ParameterSection &section)
@@ -73,6 +82,7 @@ std::vector<ParameterSection> SurfaceScene::sections()
   add_section(all, "Continuation", branch);
   add_further_sections(all);
   add_section(all, "Stability", stability);
+  add_section(all, "Accuracy", accuracy);
   add_section(all, "Output", output);
   add_section(all, "Checkpoint", checkpoint);
   return all;
@@ -103,6 +113,8 @@ void SurfaceScene::check() const
   if (is_fixed(load.parameter))
     throw UserError("Load/Parameter = " + load.parameter +
                     " cannot change during a run: it shapes the mesh, the scale or the run itself.");
+  if (accuracy.is_wanted())
+    check_accuracy();
   const PotentialSet set = potentials(Scales{}, targets(Scales{}));
   for (const NamedQuantity &prescribed : set.prescribed)
     for (const Constraint &constraint : set.constraints)
@@ -118,7 +130,7 @@ void SurfaceScene::check() const
 
 bool SurfaceScene::is_fixed(const std::string &parameter) const
 {
-  for (const char *section : {"Mesh/", "Newton/", "Output/", "Checkpoint/", "Stability/", "Continuation/", "Load/"})
+  for (const char *section : {"Mesh/", "Newton/", "Output/", "Checkpoint/", "Stability/", "Continuation/", "Load/", "Accuracy/"})
     if (parameter.rfind(section, 0) == 0)
       return true;
   return false;
@@ -139,6 +151,38 @@ Scales SurfaceScene::scales() const
 NodalConditions SurfaceScene::conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const
 {
   return edge_conditions(surface, targets);
+}
+
+// Coarse, but with cells enough for the shape to be recognised: on six cells a vesicle may find another branch.
+LevelRange SurfaceScene::level_range() const
+{
+  LevelRange range;
+  range.dimension         = mesh.symmetry == "none" ? 2 : 1;
+  const LevelMesh own     = {static_cast<unsigned int>(mesh.degree), static_cast<unsigned int>(mesh.refinements)};
+  range.first.degree      = std::min(own.degree, range.dimension == 1 ? 3u : 2u);
+  range.first.refinements = std::min(own.refinements, 1u);
+  return range;
+}
+
+std::vector<std::pair<std::string, double>> SurfaceScene::level_settings(const LevelMesh &level) const
+{
+  return {{"Mesh/Degree", level.degree}, {"Mesh/Refinements", level.refinements}};
+}
+
+void SurfaceScene::check_accuracy() const
+{
+  const std::string target = "Accuracy/Target = " + exact_text(accuracy.target);
+  if (!branch.parameter.empty())
+    throw UserError(target + " with Continuation/Parameter = " + branch.parameter +
+                    " is not possible: the target is for one equilibrium, a branch has many. Give up one of the two; "
+                    "section Load leads to an equilibrium with the target.");
+  if (motion() != nullptr)
+    throw UserError(target + " with Time/End time is not possible: the target is for an equilibrium. Set one of the "
+                             "two to 0.");
+  for (const std::string &analysis : analyses)
+    if (analysis != "stability")
+      throw UserError(target + " with the analysis '" + analysis +
+                      "' is not possible: the target is for one equilibrium. Set Target to 0.");
 }
 
 SceneTargets SurfaceScene::targets(const Scales &scales) const

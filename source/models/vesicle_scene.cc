@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/exact_text.h>
 #include <pellicle/base/near_match.h>
 #include <pellicle/discretization/edge_loops.h>
 #include <pellicle/discretization/split_line.h>
@@ -145,6 +146,7 @@ void VesicleScene::check() const
   if (vesicle.start_shape != "file" && !mesh.file.empty())
     throw UserError("Mesh/File is '" + mesh.file + "', but Vesicle/Start shape is '" + vesicle.start_shape +
                     "': set it to 'file', or remove Mesh/File.");
+  check_part();
   if (!edges().empty() && has_effect("volume constraint") && !has_effect("lipid domain"))
     throw UserError("The effect 'volume constraint' needs a closed surface, but the start shape is open. Prescribe a "
                     "pressure instead, or take a closed start shape.");
@@ -153,6 +155,22 @@ void VesicleScene::check() const
                     "there the two constraints are not "
                     "independent. Use a value below 1, or drop one of the two constraints.");
   SurfaceScene::check();
+}
+
+void VesicleScene::check_part() const
+{
+  const MirrorPlanes planes = mesh.mirror_planes();
+  if (!planes.any())
+    return;
+  const std::string choice = "Mesh/Symmetry = " + mesh.symmetry;
+  if (!edges().empty() || vesicle.start_shape == "torus" || vesicle.start_shape == "file")
+    throw UserError(choice + " is for closed start shapes without domain or tether: prolate, oblate, ellipsoid, "
+                             "biconcave, stomatocyte. Set it to none.");
+  if (planes.normal_to[2] && vesicle.start_shape == "stomatocyte")
+    throw UserError(choice + ": a stomatocyte is not symmetric at z = 0. Set it to quarter.");
+  if (vesicle.node_noise != 0.)
+    throw UserError("Vesicle/Node noise = " + exact_text(vesicle.node_noise) + " with " + choice +
+                    ": noise has no symmetry. Set one of the two to none (0).");
 }
 
 bool VesicleScene::is_fixed(const std::string &parameter) const
@@ -194,7 +212,8 @@ StartShape VesicleScene::start_shape() const
   shape.file           = mesh.file;
   shape.degree         = static_cast<unsigned int>(mesh.degree);
   shape.refinements    = static_cast<unsigned int>(mesh.refinements);
-  shape.axial          = mesh.symmetry != "none";
+  shape.cut            = mesh.cut;
+  shape.axial          = mesh.is_axial();
   shape.mirror         = mesh.symmetry == "axial mirror";
   if (const auto *domain = find<LipidDomainEffect>())
     shape.region_fraction = domain->parameters.area_fraction;
@@ -253,13 +272,13 @@ std::vector<SceneEdge> VesicleScene::edges() const
 
 SurfaceDiscretization VesicleScene::start_mesh() const
 {
-  return make_start_shape(start_shape());
+  return symmetric_part(make_start_shape(start_shape()), mesh.mirror_planes());
 }
 
 std::optional<NodalVectors> VesicleScene::reference_positions() const
 {
   if (const std::optional<StartShape> shape = reference_shape())
-    return make_start_shape(*shape).positions;
+    return symmetric_part(make_start_shape(*shape), mesh.mirror_planes()).positions;
   return std::nullopt;
 }
 
@@ -294,6 +313,20 @@ SurfaceMeasures VesicleScene::measures(const Scales & /*scales*/) const
       list.push_back({name, length, dimensions::length});
     return list;
   };
+}
+
+std::string VesicleScene::headline_quantity() const
+{
+  return has_effect("helfrich bending") ? "bending_energy" : "total_energy";
+}
+
+// A file brings its own cells, which are many.
+LevelRange VesicleScene::level_range() const
+{
+  LevelRange range = SurfaceScene::level_range();
+  if (!mesh.file.empty())
+    range.first.refinements = 0;
+  return range;
 }
 
 VesicleScene make_vesicle_scene(const EffectLibrary &library, const std::vector<std::string> &effects,

@@ -52,7 +52,11 @@ std::string commented_scene_of(const SurfaceApplication &application);
  */
 std::unique_ptr<SurfaceScene> scene_at_start_of_load(SurfaceSceneFile &file, const LoadParameters &load);
 
-/** What summary.json says of scene and model whatever the analysis: effects, mesh, unknowns, stability. */
+/** Entries that a matrix has in both triangles, whether both are stored or one. */
+std::size_t n_entries(const SparseMatrix &matrix);
+
+/** What summary.json says of scene and model whatever the analysis: effects, mesh, loops, unknowns,
+ * stability. */
 void describe(const SurfaceScene &scene, const SurfaceModel &model, RunResult &result);
 
 /** Called after every equilibrium: step, value of the stepped parameter (the step's number without load stepping). */
@@ -68,6 +72,11 @@ public:
   Observer &observer;
   const SolutionSink &sink;
 };
+
+/** Solves a scene at once from the model's present state, as if it had no load path. Returns what solve_scene() does.
+ */
+RunResult solve_here(SurfaceSceneFile &file, const SurfaceScene &scene, SurfaceModel &model, Observer &observer,
+                     const SolutionSink &sink);
 
 /**
  * Solves a scene, load steps included. Returns everything that summary.json says but the seconds of output; never

@@ -62,6 +62,8 @@ private:
   bool is_cap_only() const { return droplet.base == "eliminated"; }
   bool has_line() const;
   void check_line_pinning() const;
+  /** What a part between planes of symmetry cannot be. Throws UserError. */
+  void check_part() const;
   /** Whether gravity is normal to the substrate at the origin. */
   bool is_level() const;
   /** Whether the drop's weight has a part along the substrate at the origin. */

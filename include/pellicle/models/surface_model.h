@@ -5,6 +5,8 @@
 #include <pellicle/base/observer.h>
 #include <pellicle/base/timing.h>
 #include <pellicle/models/equilibrium_search.h>
+#include <pellicle/models/run_result.h>
+#include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_motion.h>
 #include <pellicle/models/surface_sample.h>
 #include <pellicle/models/surface_scene.h>
@@ -37,6 +39,17 @@ public:
 
   /** Takes over the numbers of a scene with the same effects and mesh: a load step. */
   void update(const SurfaceScene &scene);
+
+  /**
+   * Starts from the equilibrium of a model of the same scene on another mesh; see transferred_state(). This model is as
+   * it was built, but for updates. False, and nothing has happened, if the meshes have no places in common or if the
+   * scene's inequalities remember more than the state. Throws SolveError where the state makes no sense on this mesh.
+   */
+  bool start_from(const SurfaceModel &solved);
+
+  /** One undamped Newton step towards an equilibrium that is near, with the active sets as they are. False, and the
+   * state is what it was, if the equilibrium is not near. */
+  bool take_one_step();
 
   /** Newton from the present state, in the charts that the scene asks for; then, if the scene lists it, the stability
    * of the equilibrium, and downhill where it is unstable and the scene wants that. On failure the state before the
@@ -132,6 +145,9 @@ public:
    * Internal units. */
   const std::optional<Stability> &stability() const { return last_stability; }
 
+  /** Of the matrix of the last equilibrium that was found, without drag; none if the scene does not ask for it. */
+  const std::optional<LinearSolverReport> &linear_solver() const { return last_linear_solver; }
+
   /** Reported quantities in the user's units, in the order of the documentation. */
   std::vector<std::pair<std::string, double>> quantities() const;
   /** Energies by name; tension, pressure and other multipliers. Internal units. */
@@ -175,6 +191,8 @@ private:
     values.resize(3 * discretization.n_nodes);
     return values;
   }
+  /** Also where the mesh is a part of the surface. */
+  ShapeMeasures measure_whole() const;
   void add_node_noise(const NodeNoise &noise);
   void check_constraints_are_independent();
   void add_pairs(const SurfaceScene &scene, const Communicator &communicator);
@@ -186,7 +204,11 @@ private:
   /** Equilibria in turn with updates of the active sets, until no status changes. */
   bool settle_active_sets(EquilibriumSearch &search);
   void apply_active_sets();
+  /** Positions whose metric the mesh energy prefers, for a solve that begins now. */
+  NodalVectors mesh_reference() const;
   void count_unknowns();
+  /** Of the matrix at the equilibrium that was found last; `search` takes what goes wrong as a warning. */
+  void look_at_matrix(EquilibriumSearch &search);
 
   /** Between two places with different numbers of unstable modes, the model being at the second one: goes to where an
    * eigenvalue is zero, and returns those there. Throws SolveError. */
@@ -198,6 +220,8 @@ private:
   Timing &timing;
   std::array<double, 3> centroid{};
   SurfaceDiscretization discretization;
+  MirrorPlanes planes;                        ///< between which the discretization is a part of the surface
+  int euler_number = 2;                       ///< Euler characteristic of the whole
   std::optional<SurfaceDiscretization> split; ///< along the line around a domain, where the moment jumps there
   std::unique_ptr<SurfaceProblem> problem;
   std::unique_ptr<LinearSolver> solver;
@@ -213,6 +237,7 @@ private:
   StabilityParameters stability_parameters;
   bool analyses_stability = false;
   std::optional<Stability> last_stability;
+  std::optional<LinearSolverReport> last_linear_solver;
   std::vector<std::pair<std::string, std::size_t>> last_unknown_counts;
 };
 } // namespace pellicle

@@ -70,6 +70,8 @@ public:
   std::map<std::string, std::vector<Vector3<double>>> rim_conormals(const SurfaceDiscretization &start) const override;
   std::vector<SceneEdge> edges() const override;
   SurfaceMeasures measures(const Scales &scales) const override;
+  std::string headline_quantity() const override;
+  LevelRange level_range() const override;
 
 protected:
   void add_own_sections(std::vector<ParameterSection> &all) override;
@@ -77,6 +79,10 @@ protected:
   double own_length() const override;
   void set_targets(const Scales &scales, SceneTargets &targets) const override;
   bool is_fixed(const std::string &parameter) const override;
+
+private:
+  /** What a part between planes of symmetry cannot be. Throws UserError. */
+  void check_part() const;
 };
 
 /** A scene with the named effects of a library, parameters at their defaults. Throws UserError for an unknown effect.
