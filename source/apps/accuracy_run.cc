@@ -15,10 +15,6 @@ namespace pellicle
 {
 namespace
 {
-/** Relative to the headline quantity: differences between levels are round-off there, of the energies of many cells and
- * of the equilibria. */
-constexpr double round_off = 2e-12;
-
 class AccuracyRun
 {
 public:
@@ -64,7 +60,7 @@ private:
   }
 
   bool is_met() const { return table.relative_error() <= parameters.target; }
-  bool is_done() const { return is_met() || table.relative_error() <= round_off || !reason.empty(); }
+  bool is_done() const { return is_met() || table.relative_error() <= LevelTable::round_off || !reason.empty(); }
 
   /** None, and why, where meshes or limits end. */
   std::optional<LevelMesh> next_mesh()

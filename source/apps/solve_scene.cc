@@ -453,7 +453,7 @@ RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, Surface
 RunResult solve_here(SurfaceSceneFile &file, const SurfaceScene &scene, SurfaceModel &model, Observer &observer,
                      const SolutionSink &sink)
 {
-  RunMemory nothing;
-  return Walk({}, file, scene, model, observer, sink, nothing).run();
+  RunMemory nothing_to_keep;
+  return Walk({}, file, scene, model, observer, sink, nothing_to_keep).run();
 }
 } // namespace pellicle

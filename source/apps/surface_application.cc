@@ -79,10 +79,12 @@ int run(const SurfaceApplication &application, const CommandLine &command_line, 
   const auto whole_run =
       std::find_if(application.analyses.begin(), application.analyses.end(),
                    [&](const WholeRunAnalysis &analysis) { return scene->has_analysis(analysis.name); });
-  if (scene->checkpoint.every > 0 && (whole_run != application.analyses.end() || scene->accuracy.is_wanted()))
-    throw UserError("Checkpoint/Every = " + std::to_string(scene->checkpoint.every) + ": a run with " +
-                    (scene->accuracy.is_wanted() ? "Accuracy/Target" : "the analysis '" + whole_run->name + "'") +
-                    " writes no checkpoints. Set it to 0.");
+  if (whole_run != application.analyses.end() && scene->checkpoint.every > 0)
+    throw UserError("Checkpoint/Every = " + std::to_string(scene->checkpoint.every) + ": the analysis '" +
+                    whole_run->name + "' writes no checkpoints. Set it to 0.");
+  if (scene->accuracy.is_wanted() && scene->checkpoint.every > 0)
+    throw UserError("Checkpoint/Every = " + std::to_string(scene->checkpoint.every) +
+                    ": a run towards Accuracy/Target writes no checkpoints. Set one of them to 0.");
   if (!scene->load.parameter.empty())
     scene = scene_at_start_of_load(file, scene->load);
   const bool has_own_mesh = !scene->accuracy.is_wanted() || command_line.validate; // else it is made level by level

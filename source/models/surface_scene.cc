@@ -130,7 +130,8 @@ void SurfaceScene::check() const
 
 bool SurfaceScene::is_fixed(const std::string &parameter) const
 {
-  for (const char *section : {"Mesh/", "Newton/", "Output/", "Checkpoint/", "Stability/", "Continuation/", "Load/", "Accuracy/"})
+  for (const char *section :
+       {"Mesh/", "Newton/", "Output/", "Checkpoint/", "Stability/", "Continuation/", "Load/", "Accuracy/"})
     if (parameter.rfind(section, 0) == 0)
       return true;
   return false;
