@@ -145,7 +145,7 @@ void describe(const SurfaceScene &scene, const SurfaceModel &model, RunResult &r
   }
   if (!model.unknown_counts().empty())
     result.unknowns.matrix_entries = n_entries(model.equilibrium().matrix());
-  result.loops = cell_loops(model.equilibrium().discretization(), model.equilibrium().potentials());
+  result.loops         = cell_loops(model.equilibrium().discretization(), model.equilibrium().potentials());
   result.linear_solver = model.linear_solver();
   if (const std::optional<Stability> &stability = model.stability())
   {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <pellicle/assembly/cell_loops.h>
-#include <pellicle/solvers/linear_solver.h>
 #include <pellicle/base/archive.h>
+#include <pellicle/solvers/linear_solver.h>
 
 #include <cstddef>
 #include <limits>
