@@ -120,6 +120,17 @@ class Damaged(RestartTest):
         self.assertFalse((again.directory / "checkpoint").exists())
 
 
+class WithoutCheckpoints(RestartTest):
+    def test_runs_that_write_none(self):
+        for scene, override, word in ((SCENE, "Accuracy/Target=1e-3", "Accuracy/Target"),
+                                      (("vesicle", "phase_diagram.prm"), "Output/Solution=false", "phase diagram")):
+            run = self.start(scene, override, "Checkpoint/Every=1")
+            self.assertEqual(run.status, 2, run.stderr)
+            for text in ("Checkpoint/Every = 1", word, "0"):
+                self.assertIn(text, run.stderr)
+            self.assertEqual(run.files, [])
+
+
 class FullDisc(RestartTest):
     def limited(self, size, *assignments):
         """A run whose files may have so many bytes."""
