@@ -124,7 +124,8 @@ void RunOutput::draw(const SurfaceModel &model, RunResult &result)
     progress->on_message(*reason);
     result.warnings.push_back(*reason);
   }
+  std::error_code ignored;
   for (const fs::path &path : temporary)
-    fs::remove(path);
+    fs::remove(path, ignored);
 }
 } // namespace pellicle

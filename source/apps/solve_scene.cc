@@ -126,7 +126,7 @@ private:
   {
     double end = legs.empty() ? 0. : legs.back().to;
     archive.name("load path");
-    archive | here | position | accepted | end | jumps | result | followed;
+    archive | here | position | accepted | end | jumps | self_contact | result | followed;
     if (archive.is_reading())
     {
       n_kept = result.newton.steps;

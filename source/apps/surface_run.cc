@@ -17,7 +17,7 @@ constexpr Dimension per_displacement{1, -4}, per_director{1, -2};
 
 SceneEntries entries_of(const CommandLine &command_line, const std::string &earlier_text)
 {
-  SceneEntries entries = command_line.scene_file.empty() ? scan_scene(earlier_text, "checkpoint")
+  SceneEntries entries = command_line.scene_file.empty() ? scan_scene(earlier_text, "scene of the checkpoint")
                                                          : read_scene_file(command_line.scene_file);
   apply_overrides(entries, command_line.overrides);
   for (const SceneEntry &entry : entries.entries)
@@ -145,7 +145,7 @@ void describe(const SurfaceScene &scene, const SurfaceModel &model, RunResult &r
   }
   if (!model.unknown_counts().empty())
     result.unknowns.matrix_entries = n_entries(model.equilibrium().matrix());
-  result.loops = cell_loops(model.equilibrium().discretization(), model.equilibrium().potentials());
+  result.loops         = cell_loops(model.equilibrium().discretization(), model.equilibrium().potentials());
   result.linear_solver = model.linear_solver();
   if (const std::optional<Stability> &stability = model.stability())
   {

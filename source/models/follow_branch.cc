@@ -107,9 +107,9 @@ ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, c
   const auto visit    = [&](const BranchPoint &point)
   {
     const SurfaceState at_point = problem->state();
-    const bool lists_modes        = analyses_stability && stability_parameters.eigenvalues > 0;
-    last_stability                = stability_in_passing(
-                       *problem, *solver, along, lists_modes ? static_cast<unsigned int>(stability_parameters.eigenvalues) : 0);
+    const bool lists_modes      = analyses_stability && stability_parameters.eigenvalues > 0;
+    last_stability              = stability_in_passing(
+                     *problem, *solver, along, lists_modes ? static_cast<unsigned int>(stability_parameters.eigenvalues) : 0);
 
     PointOnBranch here{point, std::nullopt};
     at_bifurcation = false;

@@ -30,7 +30,7 @@ void SurfaceModel::exchange(Archive &archive)
     problem->set_conditions(std::move(conditions));
   }
   problem->exchange(archive);
-  archive | last_unknown_counts | last_stability;
+  archive | last_unknown_counts | last_stability | last_linear_solver;
 }
 
 void SurfaceModel::exchange_motion(const TimeParameters &time, Archive &archive)

@@ -77,8 +77,19 @@ int write_plain(const std::filesystem::path &path, const std::string &text, cons
   return done ? 0 : errno;
 }
 
-void write_and_rename(const std::filesystem::path &path, const std::string &text, const Lasting lasting)
+/** Where a symbolic link leads: it is to stay one. */
+std::filesystem::path target_of(const std::filesystem::path &path)
 {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(path, error))
+    return path;
+  const std::filesystem::path target = std::filesystem::canonical(path, error);
+  return error ? path : target;
+}
+
+void write_and_rename(const std::filesystem::path &name, const std::string &text, const Lasting lasting)
+{
+  const std::filesystem::path path = target_of(name);
   std::error_code error;
   if (std::filesystem::is_other(path, error))
   {

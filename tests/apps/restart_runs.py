@@ -89,7 +89,8 @@ class RestartTest(ProgramTest):
         return copy
 
     def check_goes_on(self, scene, *assignments, steps=None):
-        """A run without checkpoints, one with, and those that go on from these checkpoints: all give the same, to the last bit."""
+        """A run without checkpoints, one with, and those that go on from these checkpoints (the first, one in the middle, the last):
+        all give the same, to the last bit."""
         plain = self.start(scene, *assignments, name="plain")
         self.assertEqual(plain.status, 0, plain.stderr)
         run = self.start(scene, *assignments, *KEEP_ALL, name="kept")
@@ -98,7 +99,7 @@ class RestartTest(ProgramTest):
         numbers = [int(path.stem.split("_")[1]) for path in checkpoints(run.directory)]
         self.assertEqual(numbers, list(range(1, len(numbers) + 1)))
         self.assertGreater(len(numbers), 1)
-        for step in steps or numbers:
+        for step in steps or sorted({numbers[0], numbers[len(numbers) // 2], numbers[-1]}):
             with self.subTest(step=step):
                 later = self.restart(self.copy_at(run, step))
                 self.assertEqual(later.status, 0, later.stderr)

@@ -34,8 +34,12 @@ class LoadPaths(RestartTest):
                            "Load/Steps=4", steps=(2, 3))
 
     def test_squeezed_drop(self):
-        """Nodes in contact with a plate."""
-        self.check_goes_on(("droplet_contact", "squeezed.prm"), *AXIAL, steps=(1, 2))
+        """Nodes come into contact with two plates, one after the other."""
+        run = self.check_goes_on(("droplet_contact", "squeezed.prm"), *AXIAL, "Effects=liquid surface, volume constraint, contact",
+                                 "Droplet/Base=membrane", "Droplet/Contact angle=180", "Load/Parameter=Substrate/Plate distance",
+                                 "Load/To=0.6", "Load/Steps=3", steps=(1, 2))
+        areas = [float(row["solid_liquid_area"]) for row in run.table("history.csv")]
+        self.assertGreater(areas[-1], 1.2 * areas[0])
 
     def test_ridge(self):
         """Stages of a load path, and a line that slips over the material."""
@@ -70,18 +74,18 @@ class Motions(RestartTest):
 
 class Branches(RestartTest):
     def test_through_a_fold(self):
-        """The branch of oblates turns back below v = .6; points off and at the fold."""
-        run = self.check_goes_on(("vesicle", "discocyte.prm"), *AXIAL, "Continuation/Parameter=Vesicle/Reduced volume",
-                                 "Continuation/Direction=decreasing", "Continuation/Lower=0.5", "Continuation/Maximum points=7",
-                                 "Analyses=stability")
-        self.assertEqual(len(run.table("branch.csv")), 7)
+        """Points before, at and behind it."""
+        run = self.check_goes_on(("vesicle", "tether.prm"), "Tether/Control=force", "Tether/Force=6.5", "Load/Parameter=", "Load/From=",
+                                 "Continuation/Parameter=Tether/Force", "Continuation/Lower=0", "Continuation/Upper=9",
+                                 "Continuation/Scale=1", "Continuation/Maximum points=9", "Continuation/First step=0.3", steps=(2, 7, 8))
+        self.assertEqual([row["is_fold"] for row in run.table("branch.csv")], 7 * ["0"] + ["1", "0"])
 
     def test_onto_a_crossing_branch(self):
-        """Before and after the switch at a bifurcation."""
-        self.check_goes_on(("vesicle", "prolate.prm"), "Mesh/Refinements=1", "Mesh/Degree=2", "Vesicle/Start shape=oblate",
-                           "Vesicle/Reduced volume=0.8", "Continuation/Parameter=Vesicle/Reduced volume", "Continuation/Direction=decreasing",
-                           "Continuation/Lower=0.7", "Continuation/Maximum points=5", "Continuation/At bifurcation=switch",
-                           "Continuation/First step=0.1", steps=(2, 5, 7))
+        """Before and after the switch at a bifurcation: oblates are left for shapes without their mirror plane."""
+        run = self.check_goes_on(("vesicle", "discocyte.prm"), *AXIAL, "Analyses=stability", "Continuation/Parameter=Vesicle/Reduced volume",
+                                 "Continuation/Direction=decreasing", "Continuation/Lower=0.4", "Continuation/Maximum points=5",
+                                 "Continuation/At bifurcation=switch", steps=(2, 4, 6))
+        self.assertEqual([row["point"] for row in run.table("branch.csv") if row["arc_length"] == "0"], ["0", "4"])
 
 
 class SameTwice(RestartTest):

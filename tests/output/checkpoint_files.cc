@@ -110,3 +110,13 @@ TEST(WholeFile, WritesIntoAPipeAndDoesNotReplaceIt)
   ::close(reader);
   EXPECT_TRUE(std::filesystem::is_fifo(path));
 }
+
+TEST(WholeFile, FollowsLinks)
+{
+  const TemporaryDirectory directory;
+  write_whole_file(directory.path() / "file", "old");
+  std::filesystem::create_symlink("file", directory.path() / "link");
+  write_whole_file(directory.path() / "link", "new");
+  EXPECT_EQ(content_of(directory.path() / "file"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(directory.path() / "link"));
+}

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <pellicle/assembly/cell_loops.h>
-#include <pellicle/solvers/linear_solver.h>
 #include <pellicle/base/archive.h>
+#include <pellicle/solvers/linear_solver.h>
 
 #include <cstddef>
 #include <limits>
@@ -63,6 +63,8 @@ struct LinearSolverReport
   std::string name;
   Conditioning conditioning;
   std::optional<int> negative_pivots; ///< of a symmetric factorisation
+
+  void exchange(Archive &archive) { archive | name | conditioning | negative_pivots; }
 };
 
 /** Everything that summary.json says about a run. */

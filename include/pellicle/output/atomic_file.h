@@ -22,7 +22,8 @@ WriteError cannot_write(const std::filesystem::path &path, int error_number);
 /**
  * Writes `text` to a temporary file beside `path` and renames it to `path`: a reader finds the old file or the whole
  * new one, never a part. Throws WriteError with path and reason when that cannot be done; no temporary file stays
- * behind. What is no regular file (/dev/stdout, a pipe) is written to as it stands.
+ * behind. Symbolic links stay; what is no regular file (a pipe, a terminal) is written to as it
+ * stands.
  */
 void write_whole_file(const std::filesystem::path &path, const std::string &text);
 

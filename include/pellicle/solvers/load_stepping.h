@@ -37,6 +37,6 @@ struct LoadPosition
  * @param from     where an earlier walk stopped, to go on from there.
  * @param after_step  called after every success.
  */
-double walk_load(const LoadParameters &parameters, const std::function<bool(double t)> &attempt,
-                 LoadPosition from = {}, const std::function<void(const LoadPosition &)> &after_step = {});
+double walk_load(const LoadParameters &parameters, const std::function<bool(double t)> &attempt, LoadPosition from = {},
+                 const std::function<void(const LoadPosition &)> &after_step = {});
 } // namespace pellicle
