@@ -15,6 +15,9 @@ namespace pellicle
 {
 namespace
 {
+/** Of all errors, in the cells that an adaptive run cuts together. */
+constexpr double share_of_worst = 0.7;
+
 class AccuracyRun
 {
 public:
@@ -56,7 +59,12 @@ private:
 
   LevelRecord record_of(const Level &level) const
   {
-    return {level.mesh, level.result.n_cells, level.result.unknowns.total, headline_of(*level.model, quantity), {}};
+    LevelRecord record{
+        level.mesh, level.result.n_cells, level.result.unknowns.total, headline_of(*level.model, quantity), {}};
+    const SurfaceDiscretization &mesh = level.model->mesh();
+    if (parameters.refinement == "adaptive" && !mesh.cell_places.empty() && mesh.bulks.empty())
+      record.worst = cells_with_most(share_of_worst, error_indicators(level.model->equilibrium()), mesh.cell_places);
+    return record;
   }
 
   bool is_met() const { return table.relative_error() <= parameters.target; }

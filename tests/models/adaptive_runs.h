@@ -109,8 +109,8 @@ private:
       ++further;
       return;
     }
-    const auto marked =
-        cells_with_most(family.fraction, error_indicators(model->equilibrium()), model->mesh().cell_places);
+    const std::vector<CellPlace> marked =
+        cells_with_most(family.fraction, error_indicators(model->equilibrium()), model->mesh().cell_places).places;
     cut.insert(cut.end(), marked.begin(), marked.end());
   }
 
