@@ -15,9 +15,8 @@ namespace pellicle
 {
 namespace
 {
-/** Relative to the headline quantity: differences between levels are round-off there, of the energies of many cells and
- * of the equilibria. */
-constexpr double round_off = 2e-12;
+/** Of all errors, in the cells that an adaptive run cuts together. */
+constexpr double share_of_worst = 0.7;
 
 class AccuracyRun
 {
@@ -60,11 +59,16 @@ private:
 
   LevelRecord record_of(const Level &level) const
   {
-    return {level.mesh, level.result.n_cells, level.result.unknowns.total, headline_of(*level.model, quantity), {}};
+    LevelRecord record{
+        level.mesh, level.result.n_cells, level.result.unknowns.total, headline_of(*level.model, quantity), {}};
+    const SurfaceDiscretization &mesh = level.model->mesh();
+    if (parameters.refinement == "adaptive" && !mesh.cell_places.empty() && mesh.bulks.empty())
+      record.worst = cells_with_most(share_of_worst, error_indicators(level.model->equilibrium()), mesh.cell_places);
+    return record;
   }
 
   bool is_met() const { return table.relative_error() <= parameters.target; }
-  bool is_done() const { return is_met() || table.relative_error() <= round_off || !reason.empty(); }
+  bool is_done() const { return is_met() || table.relative_error() <= LevelTable::round_off || !reason.empty(); }
 
   /** None, and why, where meshes or limits end. */
   std::optional<LevelMesh> next_mesh()

@@ -29,7 +29,8 @@ std::unique_ptr<Level> LevelMaker::at_start(const LevelMesh &mesh, const Surface
 {
   auto level   = std::make_unique<Level>(Level{mesh, file, nullptr, nullptr});
   level->scene = first.load.parameter.empty() ? level->file.read() : scene_at_start_of_load(level->file, first.load);
-  level->model = std::make_unique<SurfaceModel>(*level->scene, context.communicator, context.timing);
+  level->scene->mesh.cut = mesh.cut;
+  level->model           = std::make_unique<SurfaceModel>(*level->scene, context.communicator, context.timing);
   return level;
 }
 
@@ -41,7 +42,8 @@ bool LevelMaker::has_load_path() const
 std::unique_ptr<Level> LevelMaker::walked(const LevelMesh &mesh) const
 {
   std::unique_ptr<Level> level = at_start(mesh, with_mesh(start, mesh));
-  level->result                = solve_scene(level->file, *level->scene, *level->model, level->record, nowhere);
+  RunMemory nothing_to_keep;
+  level->result = solve_scene(level->file, *level->scene, *level->model, level->record, nowhere, nothing_to_keep);
   return level;
 }
 
@@ -56,7 +58,8 @@ std::unique_ptr<Level> LevelMaker::continued(const LevelMesh &mesh, const Level 
   {
     SurfaceSceneFile at_end = with_mesh(solved.file, mesh);
     at_end.set(drag, 0., origin);
-    auto moved = std::make_unique<Level>(Level{mesh, at_end, at_end.read(), std::move(level->model)});
+    auto moved             = std::make_unique<Level>(Level{mesh, at_end, at_end.read(), std::move(level->model)});
+    moved->scene->mesh.cut = mesh.cut;
     moved->model->update(*moved->scene);
     level = std::move(moved);
   }

@@ -44,7 +44,7 @@ double LevelTable::relative_error() const
 
 double LevelTable::relative(const double error) const
 {
-  return error / std::max(std::abs(records.back().value), unit);
+  return std::max(round_off, error / std::max(std::abs(records.back().value), unit));
 }
 
 void LevelTable::set_error(const double error)

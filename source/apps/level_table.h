@@ -13,6 +13,10 @@ namespace pellicle
 class LevelTable
 {
 public:
+  /** No relative error is estimated to be smaller: differences between levels are round-off of many cells' energies,
+   * and of equilibria, there. */
+  static constexpr double round_off = 2e-12;
+
   /** `unit`: values below it count as this large, a flat membrane has no bending energy. */
   LevelTable(const RunContext &context, std::string quantity, double unit);
 
@@ -24,7 +28,7 @@ public:
   /** Estimated errors of the levels so far, absolute. */
   std::vector<double> errors() const;
   std::vector<double> values() const;
-  /** To the last level's value. */
+  /** To the last level's value; round_off at least. */
   double relative(double error) const;
   /** Of the last level, relative; infinite while there is no estimate. */
   double relative_error() const;

@@ -4,13 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
+#include <cstdlib>
 
 namespace pellicle
 {
 namespace
 {
-constexpr double least_share      = 0.1; ///< of a part, or of what was expected, that an estimate never falls below
-constexpr double largest_believed = 0.5; ///< ratio of errors from level to level
+constexpr double least_share      = 0.1;  ///< of what was expected: no difference counts as smaller
+constexpr double least_part       = 5e-4; ///< of a part: no sum of two parts counts as smaller
+constexpr double largest_believed = 0.8;  ///< ratio of errors from level to level
+constexpr double first_guess      = 0.5;  ///< of it
 
 double ratio_of(const double after, const double before)
 {
@@ -22,8 +26,8 @@ double estimate_from(const RicherSpace &richer, const std::vector<double> &befor
 {
   const double sum   = std::abs(richer.seen + richer.relaxed);
   const double parts = std::max(std::abs(richer.seen), std::abs(richer.relaxed));
-  const double error = std::max(sum, least_share * parts);
-  return error / (1. - (before.empty() ? largest_believed : ratio_of(error, before.back())));
+  const double error = std::max(sum, least_part * parts);
+  return error / (1. - (before.empty() ? first_guess : ratio_of(error, before.back())));
 }
 
 std::vector<double> estimates_of_sequence(const std::vector<double> &values)
@@ -33,7 +37,7 @@ std::vector<double> estimates_of_sequence(const std::vector<double> &values)
   for (std::size_t i = 1; i < values.size(); ++i)
   {
     const double difference = std::max(std::abs(values[i] - values[i - 1]), least_share * expected);
-    const double ratio      = i == 1 ? largest_believed : ratio_of(difference, previous);
+    const double ratio      = i == 1 ? first_guess : ratio_of(difference, previous);
     estimates.push_back(difference / (1. - ratio));
     expected = i == 1 ? 0. : ratio * difference; // one difference has no ratio
     previous = difference;

@@ -159,8 +159,8 @@ std::vector<double> error_indicators(const SurfaceProblem &problem)
   return indicators;
 }
 
-std::vector<CellPlace> cells_with_most(const double fraction, const std::vector<double> &indicators,
-                                       const std::vector<CellPlace> &places)
+WorstCells cells_with_most(const double fraction, const std::vector<double> &indicators,
+                           const std::vector<CellPlace> &places)
 {
   constexpr double alike = 1e-3; // relative difference of what symmetry makes equal
   PELLICLE_ASSERT(fraction > 0. && fraction < 1. && indicators.size() == places.size(), "one indicator for each cell");
@@ -168,8 +168,9 @@ std::vector<CellPlace> cells_with_most(const double fraction, const std::vector<
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
                    [&](const std::size_t a, const std::size_t b) { return indicators[a] > indicators[b]; });
-  double left = fraction * std::accumulate(indicators.begin(), indicators.end(), 0.), last = 0.;
-  std::vector<CellPlace> marked;
+  const double total = std::accumulate(indicators.begin(), indicators.end(), 0.);
+  double left = fraction * total, last = 0.;
+  WorstCells worst;
   for (const std::size_t cell : order)
   {
     if (left <= 0. && indicators[cell] < (1. - alike) * last)
@@ -177,8 +178,9 @@ std::vector<CellPlace> cells_with_most(const double fraction, const std::vector<
     if (left > 0.)
       last = indicators[cell];
     left -= indicators[cell];
-    marked.push_back(places[cell]);
+    worst.places.push_back(places[cell]);
   }
-  return marked;
+  worst.share = total > 0. ? fraction - left / total : 0.;
+  return worst;
 }
 } // namespace pellicle

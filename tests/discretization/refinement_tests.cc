@@ -2,6 +2,7 @@
 // Meshes whose cells differ in size: no cracks, no gaps in lines, and integrals of the order of uniform meshes.
 #include "local_refinement.h"
 
+#include <pellicle/base/constants.h>
 #include <pellicle/discretization/builders.h>
 #include <pellicle/discretization/split_line.h>
 #include <pellicle/discretization/surface_quality.h>
@@ -81,7 +82,9 @@ TEST(Refinement, MeshesHaveNoCracks)
       EXPECT_TRUE(is_nested(uniform, mesh));
       EXPECT_LT(largest_crack(mesh, mesh.positions), 1e-14);
       if (!mesh.mesh_reference.empty())
+      {
         EXPECT_LT(largest_crack(mesh, mesh.mesh_reference), 1e-14);
+      }
       EXPECT_EQ(euler_characteristic(mesh), example.euler);
       const std::vector<bool> hangs = hanging_flags(mesh);
       for (const HangingNode &hanging : mesh.hanging)
@@ -116,7 +119,8 @@ TEST(Refinement, ClosedSurfacesAreClosed)
   EXPECT_NEAR(surface_quality(mesh, moved).volume, volume, 1e-12 * volume);
 }
 
-// All cells cut again: area and volume gain 2k orders, as on uniform meshes.
+// All cells cut again. Area and volume of a uniform mesh converge at order 2k; nodes that hang on larger cells are off
+// the shape by h^(k + 1) along a strip of width h, which makes min(2k, k + 2) for shapes that are no solutions.
 TEST(Refinement, IntegralsKeepTheirOrder)
 {
   const SmoothShape prolate = scaled_to_area(prolate_spheroid(0.9), 4. * pi);
@@ -132,7 +136,7 @@ TEST(Refinement, IntegralsKeepTheirOrder)
     };
     const auto coarse = errors(first), fine = errors(second);
     for (unsigned int i = 0; i < 2; ++i)
-      EXPECT_GT(std::log2(coarse[i] / fine[i]), 2. * degree - 0.5)
+      EXPECT_GT(std::log2(coarse[i] / fine[i]), std::min(2. * degree, degree + 2.) - 0.5)
           << (i == 0 ? "area" : "volume") << ", degree " << degree << ": " << coarse[i] << ", then " << fine[i];
   }
 }
@@ -143,7 +147,7 @@ TEST(Refinement, MeridiansAreCutInPlaces)
   const auto build                    = [&](const Refinement &r) { return on_meridian(prolate, 3, r, false); };
   const SurfaceDiscretization uniform = build(1);
   ASSERT_EQ(uniform.n_cells, 8u);
-  // A cell three times smaller than its neighbours would be: these follow.
+  // Neighbours of a cell that is cut three times are cut as well.
   const double size = uniform.cell_places[2].size, u0 = uniform.cell_places[2].u0;
   const SurfaceDiscretization mesh = build({1, {{0, u0, 0., 0.25 * size}}});
   EXPECT_TRUE(is_nested(uniform, mesh));
@@ -156,7 +160,7 @@ TEST(Refinement, MeridiansAreCutInPlaces)
     sizes.push_back(place.size / size);
   }
   EXPECT_DOUBLE_EQ(end, 1.);
-  EXPECT_EQ(sizes, (std::vector<double>{1., 0.5, 0.25, 0.125, 0.125, 0.25, 0.5, 1., 1., 1., 1., 1.}));
+  EXPECT_EQ(sizes, (std::vector<double>{1., 0.5, 0.25, 0.25, 0.125, 0.125, 0.25, 0.5, 1., 1., 1., 1., 1.}));
   EXPECT_TRUE(mesh.hanging.empty());
   // Nodes that both have are where they were.
   EXPECT_EQ(mesh.positions[3 * 3 * mesh.n_cells + 2], uniform.positions[3 * 3 * 8 + 2]);

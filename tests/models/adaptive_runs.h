@@ -9,80 +9,138 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
+#include <memory>
 #include <vector>
 
 namespace pellicle::test
 {
-struct MeshResult
+/** A scene with its load: t = 0 at the start, 1 at the end. */
+using SceneAlongLoad = std::function<std::unique_ptr<SurfaceScene>(double t)>;
+
+/** How a family of meshes is gone through. */
+struct MeshFamily
 {
-  std::size_t cells = 0, nodes = 0;
-  double value      = 0.;
-  double indicators = 0.; ///< their sum
+  std::size_t n_levels = 1;
+  int load_steps       = 1;    ///< on the first level; the others begin where it ended
+  double fraction      = 0.;   ///< of the errors, whose cells are cut; 0: all cells are
+  bool is_solved       = true; ///< else shapes stay as they are given
 };
 
-/** Solves a model, or leaves it as it was built: then only what is eliminated is known. */
-using Solve = std::function<void(SurfaceModel &)>;
-
-inline void as_built(SurfaceModel &)
+struct MeshResult
 {
-}
+  std::size_t cells = 0, unknowns = 0;
+  double energy = 0.; ///< internal units
+};
 
-inline double sum_of(const std::vector<double> &numbers)
+/** One level after the other, each from the solution on the one before. */
+class Levels
 {
-  double sum = 0.;
-  for (const double number : numbers)
-    sum += number;
-  return sum;
-}
-
-/** Level after level: solved, then the cells with the given share of the errors are cut. */
-template <typename Scene>
-std::vector<MeshResult> adaptively(Scene scene, const std::size_t n_levels, const double fraction, const Solve &solve)
-{
-  std::vector<MeshResult> results;
-  Communicator communicator;
-  Timing timing;
-  while (results.size() < n_levels)
+public:
+  Levels(SceneAlongLoad scene, const MeshFamily &family)
+      : scene_at(std::move(scene))
+      , family(family)
   {
-    SurfaceModel model(scene, communicator, timing);
-    solve(model);
-    const std::vector<double> indicators = error_indicators(model.equilibrium());
-    results.push_back({model.mesh().n_cells, model.mesh().n_nodes, model.equilibrium().energy(), sum_of(indicators)});
-    const auto marked = cells_with_most(fraction, indicators, model.mesh().cell_places);
-    scene.mesh.cut.insert(scene.mesh.cut.end(), marked.begin(), marked.end());
   }
-  return results;
-}
 
-template <typename Scene>
-std::vector<MeshResult> uniformly(Scene scene, const std::size_t n_levels, const Solve &solve)
-{
-  std::vector<MeshResult> results;
-  Communicator communicator;
-  Timing timing;
-  for (; results.size() < n_levels; ++scene.mesh.refinements)
+  std::vector<MeshResult> run()
   {
-    SurfaceModel model(scene, communicator, timing);
-    solve(model);
-    results.push_back({model.mesh().n_cells, model.mesh().n_nodes, model.equilibrium().energy(),
-                       sum_of(error_indicators(model.equilibrium()))});
-  }
-  return results;
-}
-
-/** Nodes with which a relative error is reached, between levels by a power law; infinite if it never is. */
-inline double nodes_for(const double error, const double exact, const std::vector<MeshResult> &levels)
-{
-  const auto error_of = [&](const MeshResult &level) { return relative_error(level.value, exact); };
-  for (std::size_t i = 0; i < levels.size(); ++i)
-    if (error_of(levels[i]) <= error)
+    std::vector<MeshResult> results;
+    for (std::size_t level = 0; level < family.n_levels; ++level)
     {
-      if (i == 0)
-        return static_cast<double>(levels[0].nodes);
-      const double part =
-          std::log(error_of(levels[i - 1]) / error) / std::log(error_of(levels[i - 1]) / error_of(levels[i]));
-      return std::exp((1. - part) * std::log(levels[i - 1].nodes) + part * std::log(levels[i].nodes));
+      auto next = std::make_unique<SurfaceModel>(*scene(0.), communicator, timing);
+      next->update(*scene(1.));
+      if (family.is_solved && !(model ? begin_from_last(*next) : walk(*next)))
+        break;
+      model = std::move(next);
+      results.push_back(result());
+      choose_next();
     }
-  return std::numeric_limits<double>::infinity();
+    return results;
+  }
+
+  const SurfaceModel &finest() const { return *model; }
+
+private:
+  std::unique_ptr<SurfaceScene> scene(const double t) const
+  {
+    std::unique_ptr<SurfaceScene> made = scene_at(t);
+    made->mesh.cut                     = cut;
+    made->mesh.refinements += further;
+    return made;
+  }
+
+  bool walk(SurfaceModel &next)
+  {
+    LoadParameters load;
+    load.steps = family.load_steps;
+    return walk_load(load,
+                     [&](const double t)
+                     {
+                       next.update(*scene(t));
+                       return next.solve(1, record).converged;
+                     }) == 1.;
+  }
+
+  bool begin_from_last(SurfaceModel &next)
+  {
+    const bool carried = next.start_from(*model);
+    EXPECT_TRUE(carried);
+    const StepResult solved = next.solve(1, record);
+    EXPECT_TRUE(solved.converged) << solved.failure;
+    iterations.push_back(solved.iterations);
+    return solved.converged;
+  }
+
+  MeshResult result() const
+  {
+    std::size_t unknowns = 0;
+    for (const auto &[field, count] : model->unknown_counts())
+      unknowns += count;
+    const SurfaceDiscretization &mesh = model->mesh();
+    return {mesh.n_cells, family.is_solved ? unknowns : mesh.n_nodes - mesh.hanging.size(),
+            model->equilibrium().energy()};
+  }
+
+  void choose_next()
+  {
+    if (family.fraction == 0.)
+    {
+      ++further;
+      return;
+    }
+    const std::vector<CellPlace> marked =
+        cells_with_most(family.fraction, error_indicators(model->equilibrium()), model->mesh().cell_places).places;
+    cut.insert(cut.end(), marked.begin(), marked.end());
+  }
+
+  SceneAlongLoad scene_at;
+  MeshFamily family;
+  Communicator communicator;
+  Timing timing;
+  Record record;
+  std::vector<CellPlace> cut;
+  int further = 0;
+  std::unique_ptr<SurfaceModel> model;
+
+public:
+  std::vector<int> iterations; ///< of the levels after the first
+};
+
+/** Unknowns with which a relative error is reached for good, between levels by a power law; infinite if it is not. */
+inline double unknowns_for(const double error, const double exact, const std::vector<MeshResult> &levels)
+{
+  const auto error_of = [&](const std::size_t i) { return relative_error(levels[i].energy, exact); };
+  std::size_t i       = levels.size();
+  while (i > 0 && error_of(i - 1) <= error)
+    --i;
+  if (i == levels.size())
+    return std::numeric_limits<double>::infinity();
+  const double after = std::log(static_cast<double>(levels[i].unknowns));
+  if (i == 0)
+    return std::exp(after);
+  const double part   = std::log(error_of(i - 1) / error) / std::log(error_of(i - 1) / error_of(i));
+  const double before = std::log(static_cast<double>(levels[i - 1].unknowns));
+  return std::exp(before + part * (after - before));
 }
 } // namespace pellicle::test

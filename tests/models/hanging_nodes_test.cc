@@ -9,8 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace
 {
@@ -55,7 +57,7 @@ double exact_prolate()
 
 TEST(HangingNodes, ProlateConvergesQuadraticallyAndStaysWhole)
 {
-  for (const std::string &chart : {"graph", "ale"})
+  for (const std::string chart : {"graph", "ale"})
   {
     SCOPED_TRACE(chart);
     VesicleScene scene = refined_prolate(3, 1);
@@ -63,7 +65,7 @@ TEST(HangingNodes, ProlateConvergesQuadraticallyAndStaysWhole)
     const Solved solved(scene);
     ASSERT_TRUE(solved.result.converged) << solved.result.failure;
     ASSERT_FALSE(solved.model.mesh().hanging.empty());
-    EXPECT_LT(largest_crack_of_fields(solved.model), 2e-14 * 20.);
+    EXPECT_LT(largest_crack_of_fields(solved.model), 1e-13);
     EXPECT_EQ(solved.negative_eigenvalues(), 0);
     expect_quadratic_tail(solved.record.iterations, 1e-3, 1e4, 1e-11);
     const double error = relative_error(solved.energy(), exact_prolate());
@@ -92,39 +94,43 @@ TEST(HangingNodes, EnergiesKeepTheirOrder)
 TEST(HangingNodes, MomentsOfGivenShapesKeepTheirOrder)
 {
   constexpr double exact = 30.903213288654;
-  for (const int degree : {2, 3})
+  Communicator communicator;
+  Timing timing;
+  for (const auto &[degree, refinements] : {std::pair<int, int>{2, 2}, {3, 1}})
   {
-    VesicleScene scene        = scene_with({"helfrich bending"});
-    scene.vesicle.start_shape = "ellipsoid";
-    scene.vesicle.semi_axes   = {0.5, 0.5, 1.};
-    scene.vesicle.area        = 5.369608831971;
-    scene.mesh.degree         = degree;
-    scene.mesh.refinements    = 1;
-    cut_around(scene, 0.5, 0.6);
-    Communicator communicator;
-    Timing timing;
-    const SurfaceModel coarse(scene, communicator, timing);
-    scene.mesh.cut = coarse.mesh().cell_places;
-    const SurfaceModel fine(scene, communicator, timing);
-    EXPECT_LT(largest_crack_of_fields(coarse), 1e-13);
-    const double first = relative_error(coarse.equilibrium().energy(), exact),
-                 last  = relative_error(fine.equilibrium().energy(), exact);
-    EXPECT_GT(std::log2(first / last), 2. * degree - 0.7) << "degree " << degree << ": " << first << ", " << last;
+    std::array<double, 2> errors{};
+    for (int finer = 0; finer < 2; ++finer)
+    {
+      VesicleScene scene        = scene_with({"helfrich bending"});
+      scene.vesicle.start_shape = "ellipsoid";
+      scene.vesicle.semi_axes   = {0.5, 0.5, 1.};
+      scene.vesicle.area        = 5.369608831971;
+      scene.mesh.degree         = degree;
+      scene.mesh.refinements    = refinements + finer;
+      cut_where(scene, [](const Vector3<double> &x) { return x[0] > 0.; });
+      const SurfaceModel model(scene, communicator, timing);
+      EXPECT_FALSE(model.mesh().hanging.empty());
+      EXPECT_LT(largest_crack_of_fields(model), 1e-13);
+      errors[finer] = relative_error(model.equilibrium().energy(), exact);
+    }
+    EXPECT_GT(std::log2(errors[0] / errors[1]), 2. * degree - 0.7)
+        << "degree " << degree << ": " << errors[0] << ", " << errors[1];
   }
 }
 
-// H = -1/R everywhere, also where cells of different sizes meet.
+// 1/R everywhere, also where cells of different sizes meet.
 TEST(HangingNodes, CurvatureOfASphere)
 {
   VesicleScene scene        = scene_with({"helfrich bending"});
   scene.vesicle.start_shape = "ellipsoid";
+  scene.vesicle.semi_axes   = {1., 1., 1.};
   scene.mesh.refinements    = 2;
   cut_around(scene, 1., 0.6);
   const SurfaceDiscretization mesh = scene.start_mesh();
   const NodalCurvature curvature   = nodal_curvature(mesh, mesh.positions);
   double largest                   = 0.;
   for (const double H : curvature.mean_outward)
-    largest = std::max(largest, std::abs(H + 1.));
+    largest = std::max(largest, std::abs(H - 1.));
   EXPECT_LT(largest, 0.02);
   EXPECT_LT(largest_crack(mesh, curvature.curvature_vector), 1e-13);
 }
@@ -133,7 +139,7 @@ TEST(HangingNodes, CurvatureOfASphere)
 // derivative of their normalisation in what the hanging ones do.
 TEST(HangingNodes, DirectorsOnATorus)
 {
-  for (const std::string &shear : {"mixed", "direct"})
+  for (const std::string shear : {"mixed", "direct"})
   {
     SCOPED_TRACE(shear);
     DirectorScene uniform                            = on_torus(1, 1.);
@@ -150,16 +156,18 @@ TEST(HangingNodes, DirectorsOnATorus)
   }
 }
 
-// The contact line moves over the plane; cells at one side of it are small. Closed form: the cap's radius.
+// The contact line moves over the plane; cells at one side of it are small. Closed form: the cap's radius. Newton's
+// method goes as it does on the uniform mesh.
 TEST(HangingNodes, SessileDrop)
 {
   DropletScene scene = drop(60., {"none", 3, 1});
+  const Solved uniform(scene);
   cut_around(scene, radius_of_cap(60.), 0.6);
   const Solved solved(scene);
   ASSERT_TRUE(solved.result.converged) << solved.result.failure;
   ASSERT_FALSE(solved.model.mesh().hanging.empty());
   EXPECT_LT(largest_crack_of_fields(solved.model), 1e-13);
-  expect_quadratic_tail(solved.record.iterations, 1e-2, 1e3, 1e-11);
-  EXPECT_LT(relative_error(solved.quantity("contact_radius"), radius_of_cap(60.)), 1e-4);
+  EXPECT_EQ(solved.result.iterations, uniform.result.iterations);
+  EXPECT_LT(relative_error(solved.quantity("contact_radius"), radius_of_cap(60.)), 3e-7);
 }
 } // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pellicle/base/parameters.h>
+#include <pellicle/models/error_indicators.h>
 
 #include <cstddef>
 #include <memory>
@@ -17,16 +18,18 @@ struct AccuracyParameters
   double target    = 0.; ///< relative error of the scene's headline quantity; 0: the scene's own mesh, no estimate
   int max_levels   = 16;
   int max_unknowns = 200000;
+  std::string refinement = "uniform";
 
   bool is_wanted() const { return target > 0.; }
   void bind(ParameterSection &section);
 };
 
-/** How fine the mesh of a level is: the numbers of section Mesh. */
+/** How fine the mesh of a level is: the numbers of section Mesh, and the cells that are cut further. */
 struct LevelMesh
 {
-  unsigned int degree      = 2;
-  unsigned int refinements = 1;
+  unsigned int degree        = 2;
+  unsigned int refinements   = 1;
+  std::vector<CellPlace> cut = {}; ///< see Refinement
 };
 
 /** Where a scene begins, and how far its meshes go, when an accuracy is asked for. */
@@ -45,6 +48,7 @@ struct LevelRecord
   std::size_t n_cells = 0, n_unknowns = 0;
   double value = 0.;           ///< of the headline quantity
   std::optional<double> error; ///< estimated, relative to the value; none while there is no finer level
+  WorstCells worst = {};       ///< where cells may be cut in places
 };
 
 /**
@@ -58,13 +62,13 @@ class NextMesh
 public:
   virtual ~NextMesh() = default;
   /** None where meshes end. */
-  virtual std::optional<LevelMesh> after(const LevelMesh &mesh, const LevelRange &range) const = 0;
+  virtual std::optional<LevelMesh> after(const LevelRecord &level, const LevelRange &range) const = 0;
   /** log(error before/error after)/log(work after/work before), as measured when this way was last taken, or as smooth
    * solutions behave. */
   virtual double promise(const std::vector<LevelRecord> &levels, const LevelRange &range) const = 0;
 };
 
-/** All ways: a higher degree; all cells cut. */
+/** All ways: a higher degree; all cells cut; the cells with the largest errors cut. */
 std::vector<std::unique_ptr<NextMesh>> ways_to_refine();
 
 /** The mesh after the last level by the way that promises most; none if no way is left. */

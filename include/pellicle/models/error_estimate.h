@@ -6,11 +6,9 @@
 namespace pellicle
 {
 /**
- * What is known of a level's error from a richer space (higher degree, or finer cells).
- *
- * Going there has two parts that are of opposite sign for bending energies: the given shape has another energy, since
- * its curvature is seen more sharply (`seen`), and then relaxes (`relaxed`). Where they cancel by accident the sum says
- * nothing, so no more than a tenth of the larger one is ever taken off.
+ * What is known of a level's error from a richer space (higher degree, or finer cells). Going there has two parts: the
+ * given shape has another value, since it is seen more sharply, and then relaxes. For bending energies they are of
+ * opposite sign and a hundred times as large as their sum, for surfaces of drops the second one is almost all.
  */
 struct RicherSpace
 {
@@ -19,8 +17,9 @@ struct RicherSpace
 };
 
 /**
- * Estimate of the level's error: the larger of |seen + relaxed| and a tenth of either part, over 1 - ratio, where ratio
- * is that of the error left in the richer space, from the levels before (at most 1/2 is believed).
+ * Estimate of the level's error: |seen + relaxed|/(1 - ratio), where ratio is that of the errors of the richer space
+ * and of the level, as the levels before let expect it (1/2 if there are none, 0.8 at most). Where the parts cancel to
+ * less than 1/2000 of the larger one that is taken for an accident, and the sum for as large as that.
  *
  * @param before  estimates of the levels before, in the same unit.
  */

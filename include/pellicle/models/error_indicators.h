@@ -22,13 +22,20 @@ namespace pellicle
  */
 std::vector<double> error_indicators(const SurfaceProblem &problem);
 
+/** The cells with the largest errors. */
+struct WorstCells
+{
+  std::vector<CellPlace> places;
+  double share = 0.; ///< of all errors
+};
+
 /**
- * The cells that have the given share of the sum of all indicators between them, largest first (W. Doerfler, SIAM J.
- * Numer. Anal. 33, 1106, 1996), and those that differ from the last of them by round-off, so that symmetric solutions
- * keep symmetric meshes.
+ * The cells that have at least the given share of the sum of all indicators between them, largest first (W. Doerfler,
+ * SIAM J. Numer. Anal. 33, 1106, 1996), and those that differ from the last of them by round-off, so that symmetric
+ * solutions keep symmetric meshes.
  *
  * @param fraction  in (0, 1).
  */
-std::vector<CellPlace> cells_with_most(double fraction, const std::vector<double> &indicators,
-                                       const std::vector<CellPlace> &places);
+WorstCells cells_with_most(double fraction, const std::vector<double> &indicators,
+                           const std::vector<CellPlace> &places);
 } // namespace pellicle

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/archive.h>
 #include <pellicle/models/surface_model.h>
 
 #include <optional>
@@ -33,6 +34,7 @@ public:
   bool has_jumped(const SurfaceModel &model, const SurfaceScene &scene, double p, double tolerance = usual) const;
   /** Takes the model's state as the one to compare with. */
   void accept(const SurfaceModel &model, const SurfaceScene &scene, double p);
+  void exchange(Archive &archive) { archive | parameter | last; }
 
 private:
   struct State

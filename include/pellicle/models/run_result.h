@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pellicle/assembly/cell_loops.h>
+#include <pellicle/base/archive.h>
 #include <pellicle/solvers/linear_solver.h>
 
 #include <cstddef>
@@ -62,11 +63,16 @@ struct LinearSolverReport
   std::string name;
   Conditioning conditioning;
   std::optional<int> negative_pivots; ///< of a symmetric factorisation
+
+  void exchange(Archive &archive) { archive | name | conditioning | negative_pivots; }
 };
 
 /** Everything that summary.json says about a run. */
 struct RunResult
 {
+  /** What has come together on the way; the rest is known at the end only. */
+  void exchange(Archive &archive) { archive | status | message | warnings | newton | quantities; }
+
   std::string application;
   RunStatus status = RunStatus::failed;
   std::string message; ///< what failed and what to try; empty after a converged run
