@@ -29,6 +29,7 @@ class Pair:
 
 BENDING, AREA, VOLUME = "helfrich bending", "area constraint", "volume constraint"
 SPACE = ("Mesh/Degree=3", "Mesh/Refinements=1")
+MERIDIAN = ("Mesh/Symmetry=axial", "Mesh/Degree=3", "Mesh/Refinements=3")
 CAP = (*SPACE, "Vesicle/Start shape=cap", "Vesicle/Rim=hinged")
 OTHER_MESH = "a mesh of its own"
 
@@ -42,7 +43,8 @@ def droplet(effect, beside, common=(*SPACE, "Droplet/Contact angle=60"), **more)
 
 
 def ridge(effect, beside, **more):
-    return Pair("wetting_ridge", effect, beside, ("Mesh/Degree=2", "Mesh/Refinements=1", "Contact line/Cell size=0.04", "Substrate/Lateral faces=sliding"), **more)
+    common = ("Mesh/Degree=2", "Mesh/Refinements=1", "Contact line/Cell size=0.04", "Substrate/Lateral faces=sliding")
+    return Pair("wetting_ridge", effect, beside, common, **more)
 
 
 def director(effect, beside, common=SPACE, **more):
@@ -56,19 +58,20 @@ VESICLE_PAIRS = (
     vesicle("bilayer coupling", (BENDING, AREA, VOLUME), own=("Bilayer coupling/Integrated mean curvature=13.25",)),
     vesicle("area difference elasticity", (BENDING, AREA, VOLUME), own=("Area difference elasticity/Integrated mean curvature=13.25",)),
     vesicle("gaussian curvature", (BENDING, AREA), CAP),
-    vesicle("line tension", (BENDING, "lipid domain", AREA, VOLUME), ("Mesh/Symmetry=axial", "Mesh/Degree=3", "Mesh/Refinements=3", "Vesicle/Start shape=ellipsoid", "Vesicle/Semi axes=1, 1, 1.3")),
-    vesicle("lipid domain", (BENDING, AREA, VOLUME), ("Mesh/Symmetry=axial", "Mesh/Degree=3", "Mesh/Refinements=3"), note=OTHER_MESH),
-    vesicle("tether", (BENDING,), ("Mesh/Symmetry=axial", "Mesh/Degree=3", "Mesh/Refinements=3"), own=("Tether/Length=2",), note=OTHER_MESH),
+    vesicle("line tension", (BENDING, "lipid domain", AREA, VOLUME), (*MERIDIAN, "Vesicle/Start shape=ellipsoid", "Vesicle/Semi axes=1, 1, 1.3")),
+    vesicle("lipid domain", (BENDING, AREA, VOLUME), MERIDIAN, note=OTHER_MESH),
+    vesicle("tether", (BENDING,), MERIDIAN, own=("Tether/Length=2",), note=OTHER_MESH),
     vesicle("surface tension", (BENDING, VOLUME)),
     vesicle("pressure", (BENDING, AREA)),
     *(vesicle(skin, (BENDING, VOLUME)) for skin in ("neo-hookean skin", "incompressible rubber skin", "skalak skin", "tu-ou-yang skin")),
 )
 
 DROP, MEMBRANE = ("liquid surface", VOLUME, "wetting"), (*SPACE, "Droplet/Base=membrane", "Droplet/Contact angle=180")
+PLATES = (*MEMBRANE, "Substrate/Plate distance=1.5")
 # A drop under a prescribed pressure is a saddle, which the other charts do not look for.
 SADDLE = (*SPACE, "Droplet/Contact angle=60", "Newton/Chart=ale")
 DROPLET_PAIRS = (
-    droplet("liquid surface", ("neo-hookean skin", VOLUME, "contact"), (*MEMBRANE, "Substrate/Plate distance=1.5")),
+    droplet("liquid surface", ("neo-hookean skin", VOLUME, "contact"), PLATES),
     droplet(VOLUME, ("liquid surface", "wetting"), SADDLE, instead=("pressure",)),
     droplet("wetting", ("liquid surface", VOLUME), alone=False),
     droplet("gravity", DROP, own=("Droplet/Bond number=0.5",)),
@@ -76,9 +79,10 @@ DROPLET_PAIRS = (
     droplet("line pinning", DROP),
     droplet("line tension", DROP, own=("Line tension/Line tension=0.05",)),
     droplet("pressure", ("liquid surface", "wetting"), SADDLE, instead=(VOLUME,)),
-    *(droplet(skin, ("liquid surface", VOLUME, "contact"), (*MEMBRANE, "Substrate/Plate distance=1.5")) for skin in ("neo-hookean skin", "incompressible rubber skin")),
+    *(droplet(skin, ("liquid surface", VOLUME, "contact"), PLATES) for skin in ("neo-hookean skin", "incompressible rubber skin")),
 )
 
+STICKY = ("Contact line/Motion=free", "Free contact line/Advancing threshold=0.001", "Free contact line/Receding threshold=0.001")
 RIDGE = ("liquid surface", VOLUME, "solid", "solid skins")
 
 
@@ -88,7 +92,7 @@ def rest(all_of_them, effect):
 
 RIDGE_PAIRS = (
     *(ridge(effect, rest(RIDGE, effect), alone=False) for effect in RIDGE),
-    ridge("free contact line", RIDGE, own=("Contact line/Motion=free", "Free contact line/Advancing threshold=0.001", "Free contact line/Receding threshold=0.001")),
+    ridge("free contact line", RIDGE, own=STICKY),
     ridge("gravity", RIDGE, own=("Droplet/Body force=0.1",)),
     ridge("line tension", RIDGE, own=("Line tension/Line tension=0.001",)),
 )

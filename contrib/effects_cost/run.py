@@ -21,8 +21,9 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "contrib" / "work_precision"))
 from measure import RunFailed, timed
 from pairs import PAIRS
-from report import machine, markdown_table
+from report import machine
 from table import BEGIN, END, HEAD, renewed, row
+from tables import markdown_table
 
 
 class Scenes:
@@ -80,8 +81,8 @@ def main():
         except (RunFailed, OSError) as failure:
             failures += 1
             print(f"{pair.application}, {pair.effect}: {failure}", file=sys.stderr, flush=True)
-    table = [f"Measured on {date.today().isoformat()} ({machine()}), medians of {options.repeats} runs of each scene, in turn.", "", *markdown_table(HEAD, rows)]
-    text = "\n".join([BEGIN, *table]).rstrip() + "\n" + END
+    measured = f"Measured on {date.today().isoformat()} ({machine()}), medians of {options.repeats} runs of each scene, in turn."
+    text = "\n".join([BEGIN, measured, "", *markdown_table(HEAD, rows)]).rstrip() + "\n" + END
     if options.document and not failures and not options.effects:
         options.document.write_text(renewed(options.document.read_text(encoding="utf-8"), text), encoding="utf-8")
     else:

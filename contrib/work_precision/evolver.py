@@ -53,7 +53,10 @@ def spheroid_of(reduced_volume, prolate):
 
 def vesicle(reduced_volume, prolate, towards_poles, seeks, finest):
     equatorial, polar = spheroid_of(reduced_volume, prolate)
-    shape = f"reduced_volume := {reduced_volume}; body[1].target := {reduced_volume}*4*pi/3; equatorial := {equatorial:.16g}; polar := {polar:.16g}; towards_poles := {towards_poles}; spheroid;"
+    shape = (
+        f"reduced_volume := {reduced_volume}; body[1].target := {reduced_volume}*4*pi/3; "
+        f"equatorial := {equatorial:.16g}; polar := {polar:.16g}; towards_poles := {towards_poles}; spheroid;"
+    )
     solve = "m 0; g; " + "hessian_seek; " * seeks + "hessian; hessian;"
     return Problem("vesicle.fe", shape, solve, tuple(("linear", r) for r in range(2, finest + 1)), (("linear", 2),))
 

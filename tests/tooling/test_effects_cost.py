@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""contrib/effects_cost: rows made of summaries, and that doc/effects.md has a row for every effect of every application (class Document; the environment variable
-PELLICLE_BINARIES names the folder of the applications)."""
+"""contrib/effects_cost: rows made of summaries, and that doc/effects.md has a row for every effect of every application (class Document; the
+environment variable PELLICLE_BINARIES names the folder of the applications)."""
 
 import os
 import subprocess
@@ -21,24 +21,31 @@ APPLICATIONS = ("vesicle", "droplet_contact", "wetting_ridge", "director_membran
 
 def summary(fields, loops, entries, seconds):
     """Loops: (over, points, ((name, kind), ...))."""
+
+
+    def written(over, points, terms):
+        return {"over": over, "points": points, "terms": [{"name": n, "kind": k, "fields": ["position"]} for n, k in terms]}
+
     return {
         "unknowns": {"total": sum(fields.values()), **fields},
         "matrix": {"entries": entries},
-        "loops": [{"over": over, "points": points, "terms": [{"name": n, "kind": k, "fields": ["position"]} for n, k in terms]} for over, points, terms in loops],
+        "loops": [written(*loop) for loop in loops],
         "seconds per iteration": seconds,
     }
 
 
-AREA = ("area constraint", "constraint")
+AREA, BENDING = ("area constraint", "constraint"), ("bending", "energy")
 PLAIN = summary({"position": 10, "multipliers": 1}, [("surface", 16, (AREA,))], 100, 0.010)
-BENT = summary({"position": 10, "moment": 12, "multipliers": 1}, [("surface", 16, (("bending", "energy"), AREA)), ("edge rim", 4, (("bending", "energy"), ("bending", "energy")))], 400, 0.025)
+BENT_LOOPS = [("surface", 16, (BENDING, AREA)), ("edge rim", 4, (BENDING, BENDING))]
+BENT = summary({"position": 10, "moment": 12, "multipliers": 1}, BENT_LOOPS, 400, 0.025)
 
 
 class Rows(unittest.TestCase):
     def test_with_and_without(self):
         pair = Pair("vesicle", "bending", ("area constraint",))
-        self.assertEqual(table.row(pair, BENT, PLAIN),
-                         ["`vesicle`", "`bending`", "moment (12)", "surface (16 points): 1 energy; edge rim (4 points): 2 energies", "11 -> 23", "100 -> 400", "10 -> 25", "2.50"])
+        terms = "surface (16 points): 1 energy; edge rim (4 points): 2 energies"
+        cells = ["`vesicle`", "`bending`", "moment (12)", terms, "11 -> 23", "100 -> 400", "10 -> 25", "2.50"]
+        self.assertEqual(table.row(pair, BENT, PLAIN), cells)
 
     def test_nothing_added(self):
         cells = table.row(Pair("vesicle", "idle", ()), PLAIN, PLAIN)
@@ -93,8 +100,8 @@ class Document(unittest.TestCase):
 
     def test_run(self):
         """Of one effect, whose numbers follow from its definition: one unknown and a term in the surface's loop."""
-        run = subprocess.run([FOLDER / "run.py", "--bin", os.environ["PELLICLE_BINARIES"], "--effects", "gravity", "bilayer coupling", "--repeats", "1"], capture_output=True, text=True,
-                             timeout=120, check=False)
+        command = [FOLDER / "run.py", "--bin", os.environ["PELLICLE_BINARIES"], "--effects", "gravity", "bilayer coupling", "--repeats", "1"]
+        run = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
         self.assertEqual(run.returncode, 0, run.stderr)
         cells = {line.split(" | ")[1]: line.split(" | ") for line in run.stdout.splitlines() if line.startswith("| `")}
         coupling, gravity = cells["`bilayer coupling`"], cells["`gravity`"]

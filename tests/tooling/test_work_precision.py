@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""contrib/work_precision: references against numbers from elsewhere, Pareto fronts and recommendations on made-up measurements, and a small study (class Study; the
-environment variable PELLICLE_BINARIES names the folder of the applications)."""
+"""contrib/work_precision: references against numbers from elsewhere, Pareto fronts and recommendations on made-up measurements, and a small
+study (class Study; the environment variable PELLICLE_BINARIES names the folder of the applications)."""
 
 import os
 import subprocess
@@ -17,6 +17,7 @@ import numpy as np
 import pareto
 import references
 import report
+import tables
 from cases import CASES
 from measure import Measurement
 
@@ -28,7 +29,8 @@ def measured(line, seconds, error, name="m"):
 class References(unittest.TestCase):
     def test_bending_energies(self):
         """Of a sphere in closed form; of the spheroid and of the red cell from another quadrature, all digits."""
-        for meridian, exact in ((references.spheroid(1.0, 1.0), 8 * np.pi), (references.spheroid(0.5, 1.0), 30.903213288654), (references.biconcave, 47.489731324552)):
+        spheroid = references.spheroid
+        for meridian, exact in ((spheroid(1.0, 1.0), 8 * np.pi), (spheroid(0.5, 1.0), 30.903213288654), (references.biconcave, 47.489731324552)):
             self.assertAlmostEqual(references.bending_energy_of_revolution(meridian) / exact, 1.0, delta=1e-13)
 
     def test_directors_on_a_torus(self):
@@ -58,8 +60,14 @@ class References(unittest.TestCase):
 
 
 class Pareto(unittest.TestCase):
-    points = (measured("3-D, degree 2", 1.0, 1e-2), measured("3-D, degree 2", 4.0, 1e-3), measured("3-D, degree 3", 2.0, 1e-4), measured("3-D, degree 3", 3.0, 2e-4),
-              measured("3-D, degree 3", 8.0, 1e-8), measured("3-D, degree 4", 8.0, 1e-7))
+    points = (
+        measured("3-D, degree 2", 1.0, 1e-2),
+        measured("3-D, degree 2", 4.0, 1e-3),
+        measured("3-D, degree 3", 2.0, 1e-4),
+        measured("3-D, degree 3", 3.0, 2e-4),
+        measured("3-D, degree 3", 8.0, 1e-8),
+        measured("3-D, degree 4", 8.0, 1e-7),
+    )
 
     def test_front(self):
         self.assertEqual([m.seconds for m in pareto.front(self.points)], [1.0, 2.0, 8.0])
@@ -79,7 +87,8 @@ class Pareto(unittest.TestCase):
         self.assertEqual(pareto.recommended(points, 1e-4).seconds, 1.0)
 
     def test_kinds(self):
-        points = (*self.points, measured("axial, degree 3", 0.1, 1e-9), measured("octant, degree 3", 0.5, 1e-4), measured("Surface Evolver, linear", 9.0, 1e-3))
+        others = (("axial, degree 3", 0.1, 1e-9), ("octant, degree 3", 0.5, 1e-4), ("Surface Evolver, linear", 9.0, 1e-3))
+        points = (*self.points, *(measured(*other) for other in others))
         self.assertEqual({kind: len(group) for kind, group in pareto.by_kind(points).items()}, {"in space": 7, "meridian": 1, "Surface Evolver": 1})
 
 
@@ -90,10 +99,23 @@ class Report(unittest.TestCase):
             self.assertEqual(tuple(report.read_csv(Path(folder) / "table.csv")), Pareto.points)
 
     def test_document(self):
-        points = [measured("3-D, degree 3", 0.2, 1e-6, "3-D k3 r1"), measured("Surface Evolver, linear", 30.0, 5e-6, "linear r6"), measured("axial, degree 3", 0.05, 1e-7, "axial k3 r2")]
+        points = [
+            measured("3-D, degree 3", 0.2, 1e-6, "3-D k3 r1"),
+            measured("Surface Evolver, linear", 30.0, 5e-6, "linear r6"),
+            measured("axial, degree 3", 0.05, 1e-7, "axial k3 r2"),
+        ]
         text = report.document(CASES, points, [("prolate", "3-D k5 r9", "no memory")], "picture.svg", "the command")
-        for words in ("| prolate | 3-D | 3-D k3 r1 (0.2 s) | 3-D k3 r1 (0.2 s) | - | - |", "| prolate | axial | axial k3 r2 (0.05 s) |", "| prolate | 1e-05 | 0.3 s | 3-D k3 r1 (0.2 s) | met |",
-                      "| prolate | 1e-03 | 0.1 s | 3-D k3 r1 (0.2 s) | missed |", "| prolate | 1e-05 | 3-D k3 r1 (0.2 s) | 3-D k3 r1 (0.2 s) | linear r6 (30 s) | 150 | 50 |", "| prolate | 5.0e-06 | linear r6 (30 s) | 3-D k3 r1 (0.2 s) |", "no memory", "the command", "picture.svg"):
+        for words in (
+            "| prolate | 3-D | 3-D k3 r1 (0.2 s) | 3-D k3 r1 (0.2 s) | - | - |",
+            "| prolate | axial | axial k3 r2 (0.05 s) |",
+            "| prolate | 1e-05 | 0.3 s | 3-D k3 r1 (0.2 s) | met |",
+            "| prolate | 1e-03 | 0.1 s | 3-D k3 r1 (0.2 s) | missed |",
+            "| prolate | 1e-05 | 3-D k3 r1 (0.2 s) | 3-D k3 r1 (0.2 s) | linear r6 (30 s) | 150 | 50 |",
+            "| prolate | 5.0e-06 | linear r6 (30 s) | 3-D k3 r1 (0.2 s) |",
+            "no memory",
+            "the command",
+            "picture.svg",
+        ):
             self.assertIn(words, text)
         self.assertNotIn("sessile60", text)  # nothing was measured there
 
@@ -107,7 +129,7 @@ class Report(unittest.TestCase):
             self.assertTrue(not case.evolver or case.evolver in evolver.PROBLEMS)
 
     def test_goals_are_of_cases(self):
-        self.assertLessEqual({name for name, _, _ in report.GOALS}, {case.name for case in CASES})
+        self.assertLessEqual({name for name, _, _ in tables.GOALS}, {case.name for case in CASES})
 
 
 class Study(unittest.TestCase):
@@ -119,8 +141,8 @@ class Study(unittest.TestCase):
         self.output = Path(folder.name) / "study"
 
     def study(self, *arguments, **environment):
-        return subprocess.run([FOLDER / "run.py", "--output", self.output, "--repeats", "1", "--quick", *map(str, arguments)], capture_output=True, text=True, timeout=300, check=False,
-                              env={**os.environ, **environment})
+        command = [FOLDER / "run.py", "--output", self.output, "--repeats", "1", "--quick", *map(str, arguments)]
+        return subprocess.run(command, capture_output=True, text=True, timeout=300, check=False, env={**os.environ, **environment})
 
     def test_small_study(self):
         with_evolver = ("--evolver",) if evolver.is_installed() else ()
