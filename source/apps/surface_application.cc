@@ -139,6 +139,13 @@ int run_surface_application(int argc, char **argv, const SurfaceApplication &app
       std::cerr << application.name << ": " << text << std::endl;
   };
 
+  const auto leave = [](const int status)
+  {
+    if (!all_processes_arrive())
+      MPI_Abort(MPI_COMM_WORLD, status);
+    return status;
+  };
+
   const auto parsed = parse_command_line(argc, argv, application.name, application.description);
   if (const auto *end = std::get_if<CommandLineExit>(&parsed))
   {
@@ -153,16 +160,17 @@ int run_surface_application(int argc, char **argv, const SurfaceApplication &app
   catch (const UserError &error)
   {
     complain(error.what());
-    if (!all_processes_arrive())
-      MPI_Abort(MPI_COMM_WORLD, 2);
-    return 2;
+    return leave(2);
+  }
+  catch (const SolveError &error) // before the first solve, whose errors are results
+  {
+    complain(std::string("the scene is not solved: ") + error.what());
+    return leave(1);
   }
   catch (const std::exception &error)
   {
     complain(std::string("stopped by an error that should not happen: ") + error.what());
-    if (!all_processes_arrive())
-      MPI_Abort(MPI_COMM_WORLD, 1);
-    return 1;
+    return leave(1);
   }
 }
 } // namespace pellicle
