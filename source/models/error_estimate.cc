@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
 
 namespace pellicle
 {
@@ -25,7 +23,6 @@ double ratio_of(const double after, const double before)
 double estimate_from(const RicherSpace &richer, const std::vector<double> &before)
 {
   const double sum = std::abs(richer.seen + richer.relaxed);
-                 richer.seen + richer.relaxed);
   const double parts = std::max(std::abs(richer.seen), std::abs(richer.relaxed));
   const double error = std::max(sum, least_part * parts);
   return error / (1. - (before.empty() ? first_guess : ratio_of(error, before.back())));
