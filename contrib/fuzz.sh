@@ -4,7 +4,7 @@
 # shellcheck source=contrib/utilities/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/utilities/common.sh"
 
-targets=(command_line expression mesh scene validate)
+targets=(command_line expression mesh model scene)
 
 usage()
 {
@@ -53,7 +53,7 @@ for target in "${chosen[@]}"; do
   step "Fuzzing: $target for $seconds s"
   mkdir -p "$build/fuzz/$target"
   dictionary=tests/fuzz/$target.dict
-  [[ $target == validate ]] && dictionary=tests/fuzz/scene.dict
+  [[ $target == model ]] && dictionary=tests/fuzz/scene.dict
   "$build/tests/fuzz_$target" -max_total_time="$seconds" -max_len=4096 -timeout=25 -rss_limit_mb=2048 -verbosity=1 \
     -print_final_stats=1 -dict="$dictionary" -artifact_prefix="$build/fuzz/findings/$target-" \
     "$build/fuzz/$target" "tests/fuzz/corpus/$target"

@@ -22,7 +22,9 @@ set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g")
 if(PELLICLE_SANITIZE)
   set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1") # lines for the reports, no variables: half the size
   target_compile_options(pellicle_settings INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
-  target_link_options(pellicle_settings INTERFACE -fsanitize=address,undefined)
+  target_link_options(pellicle_settings INTERFACE -fsanitize=address,undefined LINKER:--export-dynamic-symbol=dlclose)
+  target_sources(pellicle_settings INTERFACE
+                 $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${PROJECT_SOURCE_DIR}/contrib/utilities/keep_loaded.cc>)
 endif()
 if(PELLICLE_FUZZERS)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")

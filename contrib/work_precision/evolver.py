@@ -51,15 +51,15 @@ def spheroid_of(reduced_volume, prolate):
     return scale, c * scale
 
 
-def vesicle(reduced_volume, prolate, seeks, finest):
+def vesicle(reduced_volume, prolate, towards_poles, seeks, finest):
     equatorial, polar = spheroid_of(reduced_volume, prolate)
-    shape = f"reduced_volume := {reduced_volume}; body[1].target := {reduced_volume}*4*pi/3; equatorial := {equatorial:.16g}; polar := {polar:.16g}; spheroid;"
+    shape = f"reduced_volume := {reduced_volume}; body[1].target := {reduced_volume}*4*pi/3; equatorial := {equatorial:.16g}; polar := {polar:.16g}; towards_poles := {towards_poles}; spheroid;"
     solve = "m 0; g; " + "hessian_seek; " * seeks + "hessian; hessian;"
     return Problem("vesicle.fe", shape, solve, tuple(("linear", r) for r in range(2, finest + 1)), (("linear", 2),))
 
 
 def shape(command):
-    return Problem("vesicle.fe", command, "", tuple(("linear", r) for r in range(1, 7)), (("linear", 2),))
+    return Problem("vesicle.fe", command, "", tuple(("linear", r) for r in range(2, 7)), (("linear", 2),))
 
 
 def drop(angle):
@@ -72,8 +72,8 @@ PROBLEMS = {
     "sphere": shape(""),
     "ellipsoid": shape("equatorial := 0.5; polar := 1; spheroid;"),
     "biconcave": shape("biconcave;"),
-    "prolate": vesicle(0.9, True, seeks=4, finest=6),
-    "discocyte": vesicle(0.65, False, seeks=14, finest=4),
+    "prolate": vesicle(0.9, True, towards_poles=0.2, seeks=3, finest=6),
+    "discocyte": vesicle(0.65, False, towards_poles=0, seeks=14, finest=4),
     "sessile60": drop(60),
     "sessile120": drop(120),
 }

@@ -112,6 +112,8 @@ def document(cases, measurements, failures, picture, command):
         "",
         f"    {command}",
         "",
+        "or together with the costs of effects by `contrib/measure_costs.sh`.",
+        "",
         "Release build, one process at a time, one thread, no pictures and no solution files; all measurements are in `work_precision.csv` beside this file. Seconds are medians of",
         "the repeats. For Pellicle they count from entering main (`seconds.total`); loading the program and leaving it is the start-up, given apart: add it for the whole of a run.",
         "CPU seconds are those of the whole process. For Evolver, whose start takes milliseconds, seconds are those of the process, and `unknowns` are its facets. Errors are relative to",
@@ -134,7 +136,7 @@ def document(cases, measurements, failures, picture, command):
                  "The same problems in the same session with the inputs in `contrib/work_precision/evolver`, by the same rule; the last columns are Evolver's time over Pellicle's, without",
                  "and with the start-up of Pellicle. Vesicles have",
                  "linear facets and the curvature at vertices (the only kind that Evolver has for bending), drops quadratic and Lagrange elements up to degree 8. Both programs start from the same shapes.",
-                 "A vesicle's Newton steps are found by line searches at first; without them finer meshes diverge from the spheroid.", ""]
+                 "A vesicle's Newton steps are found by line searches at first; without them finer meshes diverge from the spheroid. Evolver is optional: `apt-get install evolver-nox`.", ""]
         text += markdown_table(["case", "error", "Pellicle, in space", "Evolver", "ratio", "with start-up"], against_evolver(cases, own_of))
     text += ["## Cases", "", "Of each case the settings on the Pareto fronts of meshes in space, of meridians and of Evolver: none of the same kind is faster and at least as accurate.", ""]
     for case in cases:

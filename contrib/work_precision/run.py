@@ -57,7 +57,7 @@ def arguments():
     parser.add_argument("--bin", default=ROOT / "build/release/bin", type=Path, help="folder of the applications (build/release/bin)")
     parser.add_argument("--output", required=True, type=Path, help="folder for work_precision.csv, .svg and .md")
     parser.add_argument("--cases", nargs="+", choices=names, default=names, metavar="CASE", help="of " + ", ".join(names))
-    parser.add_argument("--repeats", type=int, default=5, help="runs of a setting (5); fewer where they take seconds")
+    parser.add_argument("--repeats", type=int, default=3, help="runs of a setting (3); fewer where they take seconds")
     parser.add_argument("--quick", action="store_true", help="a few coarse settings of each case, under a minute")
     parser.add_argument("--evolver", action="store_true", help="Surface Evolver on the same cases")
     parser.add_argument("--from", dest="table", type=Path, metavar="CSV", help="no runs: write document and picture anew from a table")

@@ -42,7 +42,8 @@ bool LevelMaker::has_load_path() const
 std::unique_ptr<Level> LevelMaker::walked(const LevelMesh &mesh) const
 {
   std::unique_ptr<Level> level = at_start(mesh, with_mesh(start, mesh));
-  level->result                = solve_scene(level->file, *level->scene, *level->model, level->record, nowhere);
+  RunMemory nothing_to_keep;
+  level->result = solve_scene(level->file, *level->scene, *level->model, level->record, nowhere, nothing_to_keep);
   return level;
 }
 

@@ -188,8 +188,13 @@ private:
   ex power(const ex &base, const ex &exponent)
   {
     const std::optional<double> n = real_number(exponent), number = real_number(base);
-    if (number && n && !std::isfinite(std::pow(*number, *n)))
-      refuse("it has a power of numbers that has no finite real value");
+    if (number && n)
+    {
+      const double value = std::pow(*number, *n);
+      if (!std::isfinite(value))
+        refuse("it has a power of numbers that has no finite real value");
+      return GiNaC::numeric(value);
+    }
     if (n && std::abs(*n) <= 1000. && *n == std::floor(*n))
       return GiNaC::pow(base, GiNaC::numeric(static_cast<long>(*n)));
     return GiNaC::pow(base, exponent);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/faired_positions.h>
+#include <pellicle/base/exceptions.h>
 #include <pellicle/models/equilibrium_search.h>
 #include <pellicle/solvers/load_stepping.h>
 
@@ -130,10 +132,44 @@ bool EquilibriumSearch::in_charts(const std::string &charts)
       return true;
     problem.set_state(before);
   }
-  if (!iterate(PositionChart::graph, newton.max_iterations))
+  if (iterate(PositionChart::graph, newton.max_iterations))
+  {
+    polish();
+    return true;
+  }
+  return charts == "automatic" && from_faired_start(before);
+}
+
+// For a start that is rough, and only for a start: an equilibrium on a load path is smooth, and what is lost by fairing
+// might be its branch.
+bool EquilibriumSearch::from_faired_start(const SurfaceState &start)
+{
+  const SurfaceDiscretization &surface = problem.discretization();
+  const bool is_start                  = std::all_of(start.multipliers.begin(), start.multipliers.end(),
+                                                     [](const double multiplier) { return multiplier == 0.; });
+  if (!is_start || !surface.edges.empty() || !problem.nodal_conditions().empty() ||
+      problem.layout().fields().size() > 2)
     return false;
-  polish();
-  return true;
+  const SurfaceState last   = problem.state();
+  const std::string failure = outcome.failure;
+  SurfaceState faired       = start;
+  faired.fields[0]          = faired_positions(surface, mesh_reference, start.fields[0]);
+  try
+  {
+    problem.set_state(faired);
+    if (iterate(PositionChart::ale, newton.max_iterations))
+    {
+      outcome.warnings.push_back("The start shape was too rough for Newton's method (" + failure +
+                                 "): a smoothed one was used.");
+      return true;
+    }
+  }
+  catch (const SolveError &)
+  {
+  }
+  problem.set_state(last);
+  outcome.failure = failure;
+  return false;
 }
 
 bool EquilibriumSearch::approach(const std::vector<std::size_t> &distant)

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
+#include <cstdlib>
 
 namespace pellicle
 {
@@ -22,7 +24,7 @@ double ratio_of(const double after, const double before)
 
 double estimate_from(const RicherSpace &richer, const std::vector<double> &before)
 {
-  const double sum = std::abs(richer.seen + richer.relaxed);
+  const double sum   = std::abs(richer.seen + richer.relaxed);
   const double parts = std::max(std::abs(richer.seen), std::abs(richer.relaxed));
   const double error = std::max(sum, least_part * parts);
   return error / (1. - (before.empty() ? first_guess : ratio_of(error, before.back())));

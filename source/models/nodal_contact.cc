@@ -110,6 +110,11 @@ std::string NodalContact::about_failure() const
   return text.empty() ? "no node touches a body" : text;
 }
 
+void NodalContact::exchange(Archive &archive)
+{
+  archive | touched;
+}
+
 std::size_t NodalContact::n_active() const
 {
   return static_cast<std::size_t>(std::count_if(touched.begin(), touched.end(), [](const int b) { return b != none; }));

@@ -276,6 +276,9 @@ StepResult SurfaceModel::solve(const int step, Observer &observer)
   else
     solve_with_active_sets(search);
   count_unknowns();
+  last_linear_solver.reset();
+  if (search.result().converged && newton.condition_estimate)
+    look_at_matrix(search);
   if (search.result().converged && analyses_stability)
     look_at_stability(search);
   if (!search.result().converged)
@@ -405,6 +408,23 @@ void SurfaceModel::show_last_iterate()
   catch (const SolveError &)
   {
     problem->set_state(kept); // a shape without a moment cannot be shown
+  }
+}
+
+void SurfaceModel::look_at_matrix(EquilibriumSearch &search)
+{
+  try
+  {
+    problem->linearize();
+    solver->factorize(problem->matrix());
+    if (const std::optional<Conditioning> conditioning = solver->conditioning(problem->matrix()))
+      last_linear_solver = LinearSolverReport{solver->name(), *conditioning, {}};
+    if (const std::optional<Inertia> inertia = solver->inertia(); inertia && last_linear_solver)
+      last_linear_solver->negative_pivots = inertia->negative;
+  }
+  catch (const SolveError &error)
+  {
+    search.warn(std::string("No condition number of the matrix at the equilibrium: ") + error.what());
   }
 }
 

@@ -490,9 +490,9 @@ double SurfaceProblem::try_step(const std::vector<double> &direction, const doub
 
 void SurfaceProblem::accept_trial()
 {
-  double largest = 0.;
-  for (std::size_t i = 0; i < trial.fields[0].size(); ++i)
-    largest = std::max(largest, std::abs(trial.fields[0][i] - current.fields[0][i]));
+  double largest = 0.; // of a node, not of a component: when the chart is renewed must not depend on the orientation
+  for (std::size_t I = 0; I < surface.n_nodes; ++I)
+    largest = std::max(largest, norm(vector_at(trial.fields[0], I) - vector_at(current.fields[0], I)));
   moved_in_chart += largest;
   current        = trial;
   current_values = trial_values;

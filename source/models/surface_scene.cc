@@ -62,6 +62,14 @@ void OutputParameters::bind(ParameterSection &section)
                "Draw picture.png of the final surface, coloured by mean curvature, if the renderer is installed.");
 }
 
+void CheckpointParameters::bind(ParameterSection &section)
+{
+  section.integer("Every", every, 0, 1000000000,
+                  "Write a checkpoint, from which --restart goes on, after each so many load steps, time steps or "
+                  "points of a branch. 0: never.");
+  section.integer("Keep", keep, 1, 1000, "Number of checkpoints that are kept, the last ones.");
+}
+
 std::vector<ParameterSection> SurfaceScene::sections()
 {
   std::vector<ParameterSection> all;
@@ -76,6 +84,7 @@ std::vector<ParameterSection> SurfaceScene::sections()
   add_section(all, "Stability", stability);
   add_section(all, "Accuracy", accuracy);
   add_section(all, "Output", output);
+  add_section(all, "Checkpoint", checkpoint);
   return all;
 }
 
@@ -121,7 +130,8 @@ void SurfaceScene::check() const
 
 bool SurfaceScene::is_fixed(const std::string &parameter) const
 {
-  for (const char *section : {"Mesh/", "Newton/", "Output/", "Stability/", "Continuation/", "Load/", "Accuracy/"})
+  for (const char *section :
+       {"Mesh/", "Newton/", "Output/", "Checkpoint/", "Stability/", "Continuation/", "Load/", "Accuracy/"})
     if (parameter.rfind(section, 0) == 0)
       return true;
   return false;

@@ -80,6 +80,17 @@ Json loops_array(const std::vector<CellLoop> &loops)
   return array;
 }
 
+Json linear_solver_object(const LinearSolverReport &report, FiniteNumbers &numbers)
+{
+  Json object = {{"name", report.name}};
+  numbers.put(object, "condition_estimate", report.conditioning.condition_estimate, "linear_solver/condition_estimate");
+  numbers.put(object, "smallest_pivot", report.conditioning.smallest_pivot, "linear_solver/smallest_pivot");
+  numbers.put(object, "largest_pivot", report.conditioning.largest_pivot, "linear_solver/largest_pivot");
+  if (report.negative_pivots)
+    object["negative_pivots"] = *report.negative_pivots;
+  return object;
+}
+
 Json stability_object(const StabilityCounts &stability, FiniteNumbers &numbers)
 {
   Json lowest = Json::array();
@@ -135,6 +146,8 @@ std::string summary_text(const RunResult &result)
   const bool has_run = result.newton.iterations > 0;
   summary["newton"]  = newton_object(result.newton, has_run, numbers);
   summary["seconds"] = seconds_object(result.seconds, numbers);
+  if (result.linear_solver)
+    summary["linear_solver"] = linear_solver_object(*result.linear_solver, numbers);
   if (result.stability)
     summary["stability"] = stability_object(*result.stability, numbers);
 

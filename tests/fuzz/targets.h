@@ -8,23 +8,22 @@
 namespace pellicle::fuzz
 {
 /**
- * Reads an input in one of the ways in which users' files and arguments are read. Returns, whether the input was
- * accepted or refused with a UserError; any other exception leaves it, and ends the program if it is a fuzzer.
+ * Reads an input in one of the ways in which users' files and arguments are read. Returns or throws UserError; any
+ * other exception is a finding.
  */
+using Reader = void(const std::string &input);
+
+Reader read_command_line, read_expression, read_mesh, read_model, read_scene;
+
+/** A reader and its name, which is also that of its corpus, tests/fuzz/corpus/<name>. */
 struct Target
 {
-  std::string name; ///< also that of its corpus, tests/fuzz/corpus/<name>, and dictionary, tests/fuzz/<name>.dict
-  void (*read)(const std::string &input);
+  std::string name;
+  Reader *read;
 };
 
 const std::vector<Target> &targets();
 
-/** Calls target.read(); a UserError is as good as an answer if it says something. */
-void run(const Target &target, const std::string &input);
-
-void read_command_line(const std::string &input);
-void read_expression(const std::string &input);
-void read_mesh(const std::string &input);
-void read_scene(const std::string &input);
-void build_scene(const std::string &input);
+/** Calls a reader; a UserError is as good as an answer if it says something. */
+void run(Reader *read, const std::string &input);
 } // namespace pellicle::fuzz

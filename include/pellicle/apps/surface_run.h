@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pellicle/apps/command_line.h>
+#include <pellicle/apps/run_memory.h>
 #include <pellicle/apps/surface_application.h>
 #include <pellicle/base/scene.h>
 #include <pellicle/base/scene_text.h>
@@ -17,8 +18,10 @@ namespace pellicle
 class SurfaceSceneFile
 {
 public:
-  /** Reads file and overrides; a relative Mesh/File counts from the scene's folder. Throws UserError. */
-  SurfaceSceneFile(const SurfaceApplication &application, const CommandLine &command_line);
+  /** Reads file and overrides; a relative Mesh/File counts from the scene's folder. Throws UserError.
+   * `earlier_text`: used_text() of the run that goes on, which takes the place of a scene file that is not given. */
+  SurfaceSceneFile(const SurfaceApplication &application, const CommandLine &command_line,
+                   const std::string &earlier_text = "");
 
   /** The parameter structs as the scene stands now, checked. */
   std::unique_ptr<SurfaceScene> read();
@@ -80,5 +83,5 @@ RunResult solve_here(SurfaceSceneFile &file, const SurfaceScene &scene, SurfaceM
  * throws for a solve that failed.
  */
 RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer,
-                      const SolutionSink &sink);
+                      const SolutionSink &sink, RunMemory &memory);
 } // namespace pellicle

@@ -3,6 +3,7 @@
 
 #include <pellicle/assembly/field_layout.h>
 #include <pellicle/assembly/nodal_conditions.h>
+#include <pellicle/base/archive.h>
 #include <pellicle/potentials/effect.h>
 
 #include <string>
@@ -45,5 +46,7 @@ public:
   virtual std::size_t update(const SurfaceProblem &problem) = 0;
   /** What the statuses tell about a solve that failed, for its message; empty: nothing. */
   virtual std::string about_failure() const { return ""; }
+  /** All that lives on from one load step to the next. */
+  virtual void exchange(Archive &archive) = 0;
 };
 } // namespace pellicle

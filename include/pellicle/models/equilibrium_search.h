@@ -61,6 +61,7 @@ private:
   bool in_charts(const std::string &charts);
   bool iterate(PositionChart chart, int max_iterations);
   void polish();
+  bool from_faired_start(const SurfaceState &start);
   bool approach(const std::vector<std::size_t> &distant);
 
   const NewtonParameters &newton;

@@ -33,6 +33,7 @@ public:
   std::size_t update(const SurfaceProblem &problem) override;
   /** Which bodies are touched, and by how many nodes. */
   std::string about_failure() const override;
+  void exchange(Archive &archive) override;
 
   std::size_t n_active() const;
   /** Whether a node touches the given body now. */

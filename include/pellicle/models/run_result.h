@@ -2,6 +2,8 @@
 #pragma once
 
 #include <pellicle/assembly/cell_loops.h>
+#include <pellicle/base/archive.h>
+#include <pellicle/solvers/linear_solver.h>
 
 #include <cstddef>
 #include <limits>
@@ -55,9 +57,22 @@ struct StabilityCounts
   std::vector<double> lowest; ///< in the user's units, ascending
 };
 
+/** The matrix of the last equilibrium, when that was asked for. */
+struct LinearSolverReport
+{
+  std::string name;
+  Conditioning conditioning;
+  std::optional<int> negative_pivots; ///< of a symmetric factorisation
+
+  void exchange(Archive &archive) { archive | name | conditioning | negative_pivots; }
+};
+
 /** Everything that summary.json says about a run. */
 struct RunResult
 {
+  /** What has come together on the way; the rest is known at the end only. */
+  void exchange(Archive &archive) { archive | status | message | warnings | newton | quantities; }
+
   std::string application;
   RunStatus status = RunStatus::failed;
   std::string message; ///< what failed and what to try; empty after a converged run
@@ -70,6 +85,7 @@ struct RunResult
   UnknownCounts unknowns;
   NewtonCounts newton;
   RunSeconds seconds;
+  std::optional<LinearSolverReport> linear_solver;        ///< when asked for
   std::optional<StabilityCounts> stability;               ///< when analysed
   std::vector<std::pair<std::string, double>> quantities; ///< name, value in the user's units
 };

@@ -68,6 +68,15 @@ struct OutputParameters
   void bind(ParameterSection &section);
 };
 
+/** Section "Checkpoint". */
+struct CheckpointParameters
+{
+  int every = 0; ///< steps; 0: never
+  int keep  = 2;
+
+  void bind(ParameterSection &section);
+};
+
 /**
  * A stage of the load path that a scene has of its own: a number of the scene, such as a weight, goes from 0 to the
  * value that the scene gives it.
@@ -106,6 +115,7 @@ public:
   BranchParameters branch;
   AccuracyParameters accuracy;
   OutputParameters output;
+  CheckpointParameters checkpoint;
   std::vector<std::unique_ptr<Effect>> effects;
   std::vector<std::string> analyses;
 

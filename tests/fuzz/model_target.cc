@@ -7,7 +7,7 @@
 
 namespace pellicle::fuzz
 {
-void build_scene(const std::string &input)
+void read_model(const std::string &input)
 {
   int argc    = 0;
   char **argv = nullptr;
