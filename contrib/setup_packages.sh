@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Installs the Debian 12 packages that Pellicle needs; only those that are missing, so that it costs nothing when repeated.
+# With --long also those that only ./contrib/test.sh --long and ./contrib/fuzz.sh need.
 set -euo pipefail
 
 packages=(
@@ -18,6 +19,10 @@ packages=(
   # tests
   libgtest-dev clang-format-14
 )
+if [[ ${1:-} == --long ]]; then
+  # sanitizers and fuzzers; llvm-14 has the names of functions in their reports
+  packages+=(clang-14 libclang-rt-14-dev llvm-14)
+fi
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   echo "Packages are installed on Debian only. Elsewhere provide what contrib/setup_packages.sh lists, then build with CMake." >&2

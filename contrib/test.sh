@@ -10,7 +10,7 @@ usage()
 Usage: ./contrib/test.sh [--quick | --long] [--jobs N]
   (no option)  tests labelled quick and default
   --quick      tests labelled quick: under 2 minutes once built
-  --long       all tests, then the quick ones again with address and undefined-behaviour sanitizers
+  --long       all tests, then the quick ones again with address and undefined-behaviour sanitizers, then a minute of each fuzzer
   --jobs N     compile and test with N processes (default: number of processors)
 END
 }
@@ -46,7 +46,9 @@ run_tests()
 }
 
 step "Packages"
-./contrib/setup_packages.sh
+packages_for=()
+[[ $suite == long ]] && packages_for=(--long)
+./contrib/setup_packages.sh "${packages_for[@]}"
 configure_and_build release "$jobs"
 
 case $suite in
@@ -63,7 +65,8 @@ case $suite in
     run_tests release
     configure_and_build sanitize "$jobs"
     step "Tests: label quick, with sanitizers"
-    # The MPI library keeps memory until the process ends: that is not what we look for.
-    ASAN_OPTIONS=detect_leaks=0 run_tests sanitize --label-regex '^quick$'
+    run_tests sanitize --label-regex '^quick$'
+    step "Fuzzing"
+    run_tests sanitize --label-regex '^long$' --tests-regex '^fuzz_'
     ;;
 esac

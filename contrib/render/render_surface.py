@@ -399,7 +399,9 @@ def write_picture(window, path):
     writer.SetInputConnection(grabber.GetOutputPort())
     window.Render()
     writer.Write()
-    if not os.path.isfile(temporary) or os.path.getsize(temporary) == 0:
+    if writer.GetErrorCode() != 0 or not os.path.isfile(temporary) or os.path.getsize(temporary) == 0:
+        if os.path.isfile(temporary):
+            os.remove(temporary)
         raise CannotDraw(f"{path} cannot be written.")
     os.replace(temporary, path)
 

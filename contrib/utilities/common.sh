@@ -44,3 +44,6 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 # Open MPI refuses to start for root unless told twice.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+
+# For programs built with sanitizers: what libraries beneath MPI keep until the process ends is no leak of ours.
+export LSAN_OPTIONS=suppressions=$PWD/contrib/utilities/leaks.supp:print_suppressions=0 UBSAN_OPTIONS=print_stacktrace=1

@@ -5,10 +5,12 @@
 namespace pellicle
 {
 void run_branch(SurfaceSceneFile &file, const BranchParameters &branch, SurfaceModel &model, Observer &observer,
-                const SolutionSink &sink, RunResult &result)
+                const SolutionSink &sink, RunResult &result, std::optional<BranchRecord> &record,
+                const std::function<void()> &after_point)
 {
-  int points          = 0;
-  const auto on_point = [&](const SurfaceModel::PointOnBranch &here)
+  const std::optional<BranchRecord> earlier = record;
+  int points                                = earlier ? earlier->points : 0;
+  const auto on_point                       = [&](const SurfaceModel::PointOnBranch &here)
   {
     TableRow row{"branch", {{"point", std::to_string(points)}}};
     row.fields.emplace_back("arc_length", exact_text(here.point.arc_length));
@@ -31,8 +33,15 @@ void run_branch(SurfaceSceneFile &file, const BranchParameters &branch, SurfaceM
     return file.read();
   };
 
+  SurfaceModel::BranchMemory memory;
+  memory.from        = earlier ? &earlier->progress : nullptr;
+  memory.after_point = [&](const SurfaceModel::BranchProgress &progress)
+  {
+    record = {points, progress};
+    after_point();
+  };
   const ContinuationResult outcome =
-      model.follow_branch(branch, file.number(branch.parameter), scene_at, observer, on_point);
+      model.follow_branch(branch, file.number(branch.parameter), scene_at, observer, on_point, memory);
   result.newton.iterations += outcome.iterations;
   result.newton.rejected += outcome.rejected_steps;
   if (outcome.end == ContinuationEnd::failed)

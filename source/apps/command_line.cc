@@ -32,7 +32,6 @@ std::variant<CommandLine, CommandLineExit> parse_command_line(const int argc, co
                                                               const std::string &description)
 {
   CommandLine options;
-  std::string restart_directory;
   bool quiet = false, verbose = false;
 
   CLI::App app(description, application);
@@ -52,7 +51,11 @@ std::variant<CommandLine, CommandLineExit> parse_command_line(const int argc, co
       ->allow_extra_args(false);
   app.add_option("--output-directory", options.output_directory, "Where the run writes; created if missing")
       ->type_name("DIR");
-  app.add_option("--restart", restart_directory, "Continue from the last checkpoint in DIR")->type_name("DIR");
+  CLI::Option *const restart =
+      app.add_option("--restart", options.restart_directory,
+                     "Continue from the last checkpoint in DIR, the output directory of a run with Checkpoint/Every > "
+                     "0; its scene need not be given again")
+          ->type_name("DIR");
   CLI::Option *const quiet_flag = app.add_flag("--quiet", quiet, "Print nothing but errors");
   app.add_flag("--verbose", verbose, "Print every iteration")->excludes(quiet_flag);
 
@@ -75,10 +78,11 @@ std::variant<CommandLine, CommandLineExit> parse_command_line(const int argc, co
 
   if (!app.remaining().empty())
     return refusal(application, leftover_message(app, app.remaining().front()));
-  if (!restart_directory.empty())
-    return refusal(application, "--restart '" + restart_directory +
-                                    "': checkpoints are not available in this version; run the scene from its start");
-  if (options.scene_file.empty() && options.write_parameters_file.empty())
+  if (*restart && (options.validate || !options.write_parameters_file.empty()))
+    return refusal(application, "--restart goes on with a run; leave out --validate and --write-parameters");
+  if (*restart && options.restart_directory.empty())
+    return refusal(application, "--restart '': give the output directory of the run that is to go on");
+  if (options.scene_file.empty() && options.write_parameters_file.empty() && !*restart)
     return CommandLineExit{2, app.help()};
   if (options.scene_file.empty() && options.validate)
     return refusal(application, "--validate needs a scene file");

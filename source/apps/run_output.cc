@@ -14,16 +14,21 @@ namespace pellicle
 {
 namespace fs = std::filesystem;
 
-RunOutput::RunOutput(const bool first_process, fs::path output_directory, const SurfaceScene &scene,
+RunOutput::RunOutput(const bool first_process, fs::path output_directory, fs::path earlier, const SurfaceScene &scene,
                      const Verbosity verbosity, Timing &timing)
     : writes(first_process)
     , directory(std::move(output_directory))
+    , earlier_directory(std::move(earlier))
     , parameters(scene.output)
     , timing(timing)
 {
   if (!writes)
     return;
-  prepare_output_directory(directory);
+  std::error_code missing;
+  if (!earlier_directory.empty() && fs::equivalent(directory, earlier_directory, missing))
+    prepare_continued_directory(directory);
+  else
+    prepare_output_directory(directory);
   files.emplace(directory);
   solutions.emplace(directory);
   progress.emplace(std::cout, verbosity, standard_output_is_terminal());
@@ -34,6 +39,15 @@ void RunOutput::write_scene(const std::string &text) const
 {
   if (writes)
     write_whole_file(directory / "used.prm", text);
+}
+
+void RunOutput::exchange(Archive &archive)
+{
+  if (!writes)
+    return;
+  files->exchange(archive);
+  solutions->exchange(archive, earlier_directory);
+  last_solution = solutions->last();
 }
 
 void RunOutput::write_solution(const SurfaceModel &model, const int step, const double time)
@@ -110,7 +124,8 @@ void RunOutput::draw(const SurfaceModel &model, RunResult &result)
     progress->on_message(*reason);
     result.warnings.push_back(*reason);
   }
+  std::error_code ignored;
   for (const fs::path &path : temporary)
-    fs::remove(path);
+    fs::remove(path, ignored);
 }
 } // namespace pellicle

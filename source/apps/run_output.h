@@ -22,13 +22,18 @@ namespace pellicle
 class RunOutput
 {
 public:
-  /** Makes the directory, or takes the results of an earlier run out of it. */
-  RunOutput(bool first_process, std::filesystem::path output_directory, const SurfaceScene &scene, Verbosity verbosity,
-            Timing &timing);
+  /** Makes the directory, or takes the results of an earlier run out of it.
+   * `earlier_directory`: of the run that goes on, whose solutions stay; empty: a new one. */
+  RunOutput(bool first_process, std::filesystem::path output_directory, std::filesystem::path earlier_directory,
+            const SurfaceScene &scene, Verbosity verbosity, Timing &timing);
 
+  /** Whether this is the process that writes. */
+  bool is_written() const { return writes; }
   Observer &observer() { return writes ? static_cast<Observer &>(*observers) : nobody; }
 
   void write_scene(const std::string &text) const;
+  /** Tables and solutions so far. On processes other than the first it writes and reads nothing. */
+  void exchange(Archive &archive);
   /** The surface with its fields, and where its directors have defects. */
   void write_solution(const SurfaceModel &model, int step, double time);
 
@@ -40,7 +45,7 @@ private:
   void draw(const SurfaceModel &model, RunResult &result);
 
   bool writes;
-  std::filesystem::path directory, last_solution;
+  std::filesystem::path directory, earlier_directory, last_solution;
   OutputParameters parameters;
   Timing &timing;
   Observer nobody;

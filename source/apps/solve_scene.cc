@@ -5,8 +5,10 @@
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/expression.h>
 #include <pellicle/models/jump_detector.h>
+#include <pellicle/models/self_contact.h>
 
 #include <cmath>
+#include <utility>
 
 namespace pellicle
 {
@@ -78,14 +80,15 @@ std::vector<Leg> legs_of(const SurfaceSceneFile &file, const SurfaceScene &scene
 class Walk
 {
 public:
-  Walk(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer,
-       const SolutionSink &sink)
+  Walk(std::vector<Leg> legs, SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model,
+       Observer &observer, const SolutionSink &sink, RunMemory &memory)
       : file(file)
       , first(first)
       , model(model)
       , observer(observer)
       , sink(sink)
-      , legs(legs_of(file, first))
+      , memory(memory)
+      , legs(std::move(legs))
   {
   }
 
@@ -94,10 +97,11 @@ public:
     for (const Leg &leg : legs)
       if (leg.is_stage())
         file.set(leg.parameter, leg.from, "Load path");
-    const bool arrived = legs.empty() ? is_found([&] { return solve(0., 0.); }) : walk_all_legs();
+    memory.take_up([&](Archive &archive) { exchange(archive); });
+    const bool arrived = followed || (legs.empty() ? solve_once() : walk_all_legs());
     result.status      = arrived ? RunStatus::converged : RunStatus::failed;
     if (arrived && !first.branch.parameter.empty())
-      run_branch(file, first.branch, model, observer, sink, result);
+      follow_branch();
     if (result.status == RunStatus::failed && result.quantities.empty())
     {
       // Not even the first equilibrium was found: what there is to see is where the iteration ended.
@@ -117,6 +121,62 @@ public:
   }
 
 private:
+  /** All that the walk needs to go on after a step. */
+  void exchange(Archive &archive)
+  {
+    double end = legs.empty() ? 0. : legs.back().to;
+    archive.name("load path");
+    archive | here | position | accepted | end | jumps | self_contact | result | followed;
+    if (archive.is_reading())
+    {
+      n_kept = result.newton.steps;
+      go_back_to_last_step(end);
+    }
+    model.exchange(archive);
+  }
+
+  /** Parameters as they were at the last step of a walk whose last leg went to `end`. */
+  void go_back_to_last_step(const double end)
+  {
+    if (leg() == nullptr)
+      return;
+    if (!leg()->is_stage() && leg()->to != end)
+    {
+      const double ratio = (end - leg()->from) / (leg()->to - leg()->from);
+      position           = {ratio * position.t, ratio * position.next_step};
+      if (!(position.t >= 0. && position.t <= 1.))
+        throw UserError("Load/To = " + exact_text(leg()->to) + ": the run that goes on is at " + leg()->parameter +
+                        " = " + exact_text(accepted) + " already, on its way from " + exact_text(leg()->from) +
+                        ". Give a value that lies ahead.");
+    }
+    for (std::size_t i = 0; i < here; ++i)
+      file.set(legs[i].parameter, legs[i].at(1.), "Load path");
+    go_to(accepted, "Load path");
+  }
+
+  /** After a step; where a stage begins there was none. */
+  void keep()
+  {
+    if (result.newton.steps == n_kept)
+      return;
+    n_kept = result.newton.steps;
+    memory.after_step([&](Archive &archive) { exchange(archive); });
+  }
+
+  void follow_branch()
+  {
+    run_branch(file, first.branch, model, observer, sink, result, followed,
+               [&] { memory.after_step([&](Archive &archive) { exchange(archive); }); });
+  }
+
+  bool solve_once()
+  {
+    if (!has_equilibrium() && !is_found([&] { return solve(0., 0.); }))
+      return false;
+    keep();
+    return true;
+  }
+
   /** As it was read last. */
   const SurfaceScene &scene() const { return read_last ? *read_last : first; }
 
@@ -148,13 +208,26 @@ private:
 
   bool walk_all_legs()
   {
-    for (here = 0; here < legs.size(); ++here)
+    const auto after_step = [&](const LoadPosition &reached)
     {
-      jumps           = JumpDetector(legs[here].parameter);
-      suspected_jumps = 0;
-      accepted        = legs[here].from;
-      if (!is_found([&] { return walk_load(first.load, [&](const double t) { return attempt(t); }) == 1.; }) &&
-          !is_found_at_once())
+      position = reached;
+      keep();
+    };
+    for (; here < legs.size(); ++here, position = {})
+    {
+      if (position.t < 0.)
+      {
+        jumps           = JumpDetector(legs[here].parameter);
+        suspected_jumps = 0;
+        accepted        = legs[here].from;
+      }
+      if (!is_found(
+              [&]
+              {
+                return walk_load(
+                           first.load, [&](const double t) { return attempt(t); }, position, after_step) == 1.;
+              }) &&
+          !is_found_at_once(after_step))
         return false;
     }
     --here;
@@ -164,13 +237,16 @@ private:
   /** The whole of a first stage of which not even the smallest part has led to an equilibrium. Weak loads may be the
    * harder ones: under weak tensions a contact line that is free slides as far as under strong ones, over a solid that
    * they do not deform. */
-  bool is_found_at_once()
+  bool is_found_at_once(const std::function<void(const LoadPosition &)> &after_step)
   {
     if (here > 0 || !leg()->is_stage() || has_equilibrium())
       return false;
     const std::string before = failure;
     if (is_found([&] { return attempt(1.); }))
+    {
+      after_step({1., 0.});
       return true;
+    }
     failure = before;
     return false;
   }
@@ -203,7 +279,7 @@ private:
       failure = outcome.failure;
       return false;
     }
-    if (leg() != nullptr && left_the_branch(value, before))
+    if (leg() != nullptr && left_the_branch(value, before, outcome.iterations))
     {
       failure = "the state found is on another branch";
       return false;
@@ -217,12 +293,13 @@ private:
     return true;
   }
 
-  bool left_the_branch(const double value, const SurfaceState &before)
+  bool left_the_branch(const double value, const SurfaceState &before, const int iterations)
   {
     // A jump is believed, and reported, after a few attempts with shorter steps or when no shorter one is allowed; a
     // load path of the scene's own must not jump at all.
-    constexpr int attempts_before_a_jump_counts = 4;
-    if (!jumps.has_jumped(model, scene(), value))
+    constexpr int attempts_before_a_jump_counts = 4, iterations_of_a_hard_step = 12;
+    const double tolerance = iterations > iterations_of_a_hard_step ? JumpDetector::close : JumpDetector::usual;
+    if (!jumps.has_jumped(model, scene(), value, tolerance))
       suspected_jumps = 0;
     else if (leg()->is_stage() ||
              (++suspected_jumps < attempts_before_a_jump_counts &&
@@ -261,6 +338,12 @@ private:
     if (model.stability())
       done.quantities.emplace_back("negative_eigenvalues", model.stability()->negative_eigenvalues);
     observer.on_step(done);
+    const std::string place = legs.empty() ? "" : leg()->parameter + " = " + exact_text(value);
+    if (const std::optional<std::string> warning = self_contact.look(result.quantities, place))
+    {
+      result.warnings.push_back(*warning);
+      observer.on_message(*warning);
+    }
   }
 
   /** The walk has ended on a leg: says so, or follows the branch through the fold if section Continuation names the
@@ -284,7 +367,7 @@ private:
                                                        "come later are not applied.");
         observer.on_message(result.warnings.back());
         result.status = RunStatus::converged;
-        run_branch(file, first.branch, model, observer, sink, result);
+        follow_branch();
         return;
       }
     }
@@ -345,20 +428,32 @@ private:
   SurfaceModel &model;
   Observer &observer;
   const SolutionSink &sink;
+  RunMemory &memory;
   RunResult result;
   std::unique_ptr<SurfaceScene> read_last;
   std::vector<Leg> legs;
-  std::size_t here = 0; ///< number of the leg
+  std::size_t here = 0;  ///< number of the leg
+  LoadPosition position; ///< on it
   JumpDetector jumps{""};
+  SelfContactWatch self_contact;
   int suspected_jumps = 0;
   double accepted     = 0.; ///< value of the leg's parameter at the last equilibrium
+  int n_kept          = 0;  ///< steps of which the last one was offered to the memory
+  std::optional<BranchRecord> followed;
   std::string failure;
 };
 } // namespace
 
 RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer,
-                      const SolutionSink &sink)
+                      const SolutionSink &sink, RunMemory &memory)
 {
-  return Walk(file, first, model, observer, sink).run();
+  return Walk(legs_of(file, first), file, first, model, observer, sink, memory).run();
+}
+
+RunResult solve_here(SurfaceSceneFile &file, const SurfaceScene &scene, SurfaceModel &model, Observer &observer,
+                     const SolutionSink &sink)
+{
+  RunMemory nothing_to_keep;
+  return Walk({}, file, scene, model, observer, sink, nothing_to_keep).run();
 }
 } // namespace pellicle

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "checkpoints.h"
 #include "mpi_session.h"
 #include "run_output.h"
+#include "validation_report.h"
 
+#include <pellicle/apps/accuracy_run.h>
 #include <pellicle/apps/surface_application.h>
 #include <pellicle/apps/surface_run.h>
 #include <pellicle/apps/time_run.h>
@@ -11,6 +14,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -22,18 +26,6 @@ namespace pellicle
 namespace
 {
 namespace fs = std::filesystem;
-
-void print_validation(const SurfaceScene &scene, const SurfaceModel &model)
-{
-  std::cout << "The scene is valid.\nEffects:";
-  for (const auto &effect : scene.effects)
-    std::cout << "\n  " << effect->name() << ": " << effect->description();
-  std::cout << "\nMesh: " << model.n_cells() << " cells of degree " << model.mesh().degree << ", "
-            << model.mesh().n_nodes << " nodes\nFields:";
-  for (const Field &field : model.equilibrium().layout().fields())
-    std::cout << ' ' << field.name;
-  std::cout << std::endl;
-}
 
 void print_result(const RunResult &result, const fs::path &directory)
 {
@@ -54,8 +46,19 @@ void write_parameters(const SurfaceApplication &application, const CommandLine &
   write_whole_file(command_line.write_parameters_file, commented_scene_of(listed));
 }
 
+/** Where the run writes: what the command line says, else where the earlier run wrote, else a folder with the scene's
+ * name. */
+fs::path directory_of(const CommandLine &command_line)
+{
+  if (!command_line.output_directory.empty())
+    return command_line.output_directory;
+  if (!command_line.restart_directory.empty())
+    return command_line.restart_directory;
+  return fs::path("output") / fs::path(command_line.scene_file).stem();
+}
+
 int run(const SurfaceApplication &application, const CommandLine &command_line, const Communicator &communicator,
-        Timing &timing)
+        Timing &timing, bool &has_begun)
 {
   const bool first_process = communicator.rank() == 0;
   if (!command_line.write_parameters_file.empty())
@@ -65,40 +68,61 @@ int run(const SurfaceApplication &application, const CommandLine &command_line, 
     return 0;
   }
 
-  SurfaceSceneFile file(application, command_line);
+  std::optional<EarlierRun> earlier;
+  if (!command_line.restart_directory.empty())
+    earlier.emplace(application.name, command_line.restart_directory);
+  SurfaceSceneFile file(application, command_line, earlier ? earlier->scene_text() : "");
   std::unique_ptr<SurfaceScene> scene = file.read();
   const std::string used_text         = file.used_text();
-  if (!scene->load.parameter.empty())
-    scene = scene_at_start_of_load(file, scene->load);
-  auto model = std::make_unique<SurfaceModel>(*scene, communicator, timing);
-  if (command_line.validate)
-  {
-    if (first_process)
-      print_validation(*scene, *model);
-    return 0;
-  }
-
-  const fs::path directory = command_line.output_directory.empty()
-                                 ? fs::path("output") / fs::path(command_line.scene_file).stem()
-                                 : fs::path(command_line.output_directory);
-  RunOutput output(first_process, directory, *scene, command_line.verbosity, timing);
-  output.write_scene(used_text);
-  const SolutionSink write_solution = [&](const SurfaceModel &solved, const int step, const double time)
-  { output.write_solution(solved, step, time); };
-  RunResult result;
+  if (earlier)
+    earlier->check_scene(used_text);
   const auto whole_run =
       std::find_if(application.analyses.begin(), application.analyses.end(),
                    [&](const WholeRunAnalysis &analysis) { return scene->has_analysis(analysis.name); });
+  if (whole_run != application.analyses.end() && scene->checkpoint.every > 0)
+    throw UserError("Checkpoint/Every = " + std::to_string(scene->checkpoint.every) + ": the analysis '" +
+                    whole_run->name + "' writes no checkpoints. Set it to 0.");
+  if (scene->accuracy.is_wanted() && scene->checkpoint.every > 0)
+    throw UserError("Checkpoint/Every = " + std::to_string(scene->checkpoint.every) +
+                    ": a run towards Accuracy/Target writes no checkpoints. Set one of them to 0.");
+  if (!scene->load.parameter.empty())
+    scene = scene_at_start_of_load(file, scene->load);
+  const bool has_own_mesh = !scene->accuracy.is_wanted() || command_line.validate; // else it is made level by level
+  auto model              = has_own_mesh ? std::make_unique<SurfaceModel>(*scene, communicator, timing) : nullptr;
+  if (command_line.validate)
+  {
+    if (first_process)
+      write_validation_report(*scene, *model, timing, std::cout);
+    return 0;
+  }
+
+  const fs::path directory = directory_of(command_line);
+  RunOutput output(first_process, directory, earlier ? earlier->directory() : "", *scene, command_line.verbosity,
+                   timing);
+  output.write_scene(used_text);
+  has_begun = true;
+  if (earlier)
+    for (const std::string &warning : earlier->warnings())
+      output.observer().on_message(warning);
+  Checkpoints checkpoints(application.name, used_text, scene->checkpoint, directory, output,
+                          earlier ? &*earlier : nullptr);
+  const SolutionSink write_solution = [&](const SurfaceModel &solved, const int step, const double time)
+  { output.write_solution(solved, step, time); };
+  RunResult result;
   if (whole_run != application.analyses.end())
   {
     model = whole_run->run({file, communicator, timing, output.observer(), write_solution}, *scene, result);
     describe(*scene, *model, result);
   }
+  else if (scene->accuracy.is_wanted())
+    model = run_to_accuracy({file, communicator, timing, output.observer(), write_solution}, *scene, result);
   else if (scene->motion() != nullptr)
-    result = run_in_time(*scene, *model, output.observer(), write_solution);
+    result = run_in_time(*scene, *model, output.observer(), write_solution, checkpoints);
   else
-    result = solve_scene(file, *scene, *model, output.observer(), write_solution);
+    result = solve_scene(file, *scene, *model, output.observer(), write_solution, checkpoints);
   result.application = application.name;
+  if (earlier)
+    result.warnings.insert(result.warnings.end(), earlier->warnings().begin(), earlier->warnings().end());
   output.finish(*model, result);
   if (first_process)
   {
@@ -146,23 +170,30 @@ int run_surface_application(int argc, char **argv, const SurfaceApplication &app
       (end->status == 0 ? std::cout : std::cerr) << end->text << std::flush;
     return end->status;
   }
+  const auto end_with = [&](const int status, const std::string &reason)
+  {
+    complain(reason);
+    if (!all_processes_arrive())
+      MPI_Abort(MPI_COMM_WORLD, status);
+    return status;
+  };
+  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow further is an error of the write that meets it
+  bool has_begun = false;
   try
   {
-    return run(application, std::get<CommandLine>(parsed), communicator, timing);
+    return run(application, std::get<CommandLine>(parsed), communicator, timing, has_begun);
+  }
+  catch (const WriteError &error)
+  {
+    return end_with(has_begun ? 1 : 2, error.what());
   }
   catch (const UserError &error)
   {
-    complain(error.what());
-    if (!all_processes_arrive())
-      MPI_Abort(MPI_COMM_WORLD, 2);
-    return 2;
+    return end_with(2, error.what());
   }
   catch (const std::exception &error)
   {
-    complain(std::string("stopped by an error that should not happen: ") + error.what());
-    if (!all_processes_arrive())
-      MPI_Abort(MPI_COMM_WORLD, 1);
-    return 1;
+    return end_with(1, std::string("stopped by an error that should not happen: ") + error.what());
   }
 }
 } // namespace pellicle

@@ -15,9 +15,10 @@ namespace
 // directors.
 constexpr Dimension per_displacement{1, -4}, per_director{1, -2};
 
-SceneEntries entries_of(const CommandLine &command_line)
+SceneEntries entries_of(const CommandLine &command_line, const std::string &earlier_text)
 {
-  SceneEntries entries = read_scene_file(command_line.scene_file);
+  SceneEntries entries = command_line.scene_file.empty() ? scan_scene(earlier_text, "scene of the checkpoint")
+                                                         : read_scene_file(command_line.scene_file);
   apply_overrides(entries, command_line.overrides);
   for (const SceneEntry &entry : entries.entries)
     if (entry.path() == "Mesh/File" && !entry.value.empty() && std::filesystem::path(entry.value).is_relative())
@@ -52,9 +53,10 @@ double number_of_load(const std::string &name, const std::string &value, const F
 }
 } // namespace
 
-SurfaceSceneFile::SurfaceSceneFile(const SurfaceApplication &application, const CommandLine &command_line)
+SurfaceSceneFile::SurfaceSceneFile(const SurfaceApplication &application, const CommandLine &command_line,
+                                   const std::string &earlier_text)
     : application(application)
-    , scene(application.name, entries_of(command_line))
+    , scene(application.name, entries_of(command_line, earlier_text))
     , effects(scene.effects(application.default_effects, application.library.names()))
     , analyses(scene.analyses({}, application.analysis_names()))
 {
@@ -123,6 +125,12 @@ std::string commented_scene_of(const SurfaceApplication &application)
   return commented_scene(description);
 }
 
+std::size_t n_entries(const SparseMatrix &matrix)
+{
+  const std::size_t stored = matrix.columns.size(), diagonal = static_cast<std::size_t>(matrix.size);
+  return matrix.symmetry == MatrixSymmetry::symmetric ? 2 * stored - diagonal : stored;
+}
+
 void describe(const SurfaceScene &scene, const SurfaceModel &model, RunResult &result)
 {
   for (const auto &effect : scene.effects)
@@ -135,6 +143,10 @@ void describe(const SurfaceScene &scene, const SurfaceModel &model, RunResult &r
     result.unknowns.blocks.emplace_back(name, n);
     result.unknowns.total += n;
   }
+  if (!model.unknown_counts().empty())
+    result.unknowns.matrix_entries = n_entries(model.equilibrium().matrix());
+  result.loops         = cell_loops(model.equilibrium().discretization(), model.equilibrium().potentials());
+  result.linear_solver = model.linear_solver();
   if (const std::optional<Stability> &stability = model.stability())
   {
     result.stability                       = StabilityCounts{};

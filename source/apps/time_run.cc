@@ -21,12 +21,23 @@ void report(const SurfaceModel &model, const TimeParameters &time, const int ste
 }
 
 void walk(const TimeParameters &time, SurfaceModel &model, Observer &observer, const SolutionSink &sink,
-          RunResult &result)
+          RunMemory &memory, RunResult &result)
 {
-  model.start_motion(time);
-  report(model, time, 0, 0, result, observer);
-  sink(model, 0, 0.);
-  for (int i = 1; i <= time.n_intervals(); ++i)
+  int n_done       = 0;
+  const auto state = [&](Archive &archive)
+  {
+    archive.name("motion in time");
+    archive | n_done | result;
+    model.exchange(archive);
+    model.exchange_motion(time, archive);
+  };
+  if (!memory.take_up(state))
+  {
+    model.start_motion(time);
+    report(model, time, 0, 0, result, observer);
+    sink(model, 0, 0.);
+  }
+  for (int i = n_done + 1; i <= time.n_intervals(); ++i)
   {
     const StepResult outcome = model.move(time.time_after(i), i, observer);
     result.newton.iterations += outcome.iterations;
@@ -43,17 +54,20 @@ void walk(const TimeParameters &time, SurfaceModel &model, Observer &observer, c
     report(model, time, i, outcome.iterations, result, observer);
     if (i % time.output_every == 0 || i == time.n_intervals())
       sink(model, i, time.time_after(i));
+    n_done = i;
+    memory.after_step(state);
   }
 }
 } // namespace
 
-RunResult run_in_time(const SurfaceScene &scene, SurfaceModel &model, Observer &observer, const SolutionSink &sink)
+RunResult run_in_time(const SurfaceScene &scene, SurfaceModel &model, Observer &observer, const SolutionSink &sink,
+                      RunMemory &memory)
 {
   RunResult result;
   result.status = RunStatus::converged;
   try
   {
-    walk(*scene.motion(), model, observer, sink, result);
+    walk(*scene.motion(), model, observer, sink, memory, result);
   }
   catch (const SolveError &error)
   {

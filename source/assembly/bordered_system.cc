@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/bordered_system.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/hanging_nodes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -242,44 +243,58 @@ void BorderedSystem::project(const Cell &cell, const Element &physics, const Ele
 }
 
 // Second derivative of the retraction of unit vectors, v -> (v + d)/|v + d|: -(g . v) |d|^2/2 with d orthogonal to v;
-// of nodes on bodies, x -> closest point of x + d: -(g . n) (d . hessian d)/2.
+// of nodes on bodies, x -> closest point of x + d: -(g . n) (d . hessian d)/2. What acts on a hanging node acts, by its
+// shares, on the nodes that carry it.
 void BorderedSystem::curve(const Cell &cell, const Element &physics, const Element *mesh)
 {
   const std::size_t m = cell_list.size(), n_fields = physics.n_rows / (3 * cell.n_nodes);
   for (std::size_t i = 0; i < cell.n_nodes; ++i)
     for (std::size_t f = 0; f < n_fields; ++f)
     {
-      const unsigned int n_rows = unknowns.count(f, cell.nodes[i]);
-      if (n_rows == 0)
+      const NodalChart &chart = unknowns.charts[f];
+      if (chart.unit_vectors.empty() && chart.on_body.empty())
         continue;
-      const NodalChart &chart     = unknowns.charts[f];
-      const CellColumn *const own = cell_columns.data() + first_cell_column[i * n_fields + f];
-      const auto component_along  = [&](const std::vector<double> &gradient, const Vector3<double> &direction)
+      const auto component_along = [&](const std::vector<double> &gradient, const Vector3<double> &direction)
       {
         double along = 0.;
         for (unsigned int c = 0; c < 3; ++c)
           along += direction[c] * gradient[(3 * f + c) * cell.n_nodes + i];
         return along;
       };
-      if (!chart.unit_vectors.empty())
+      const CellColumn *columns_here = cell_columns.data() + first_cell_column[i * n_fields + f];
+      const auto add                 = [&](const std::size_t node, const double share)
       {
-        const auto &v      = chart.unit_vectors[cell.nodes[i]];
-        const double along = component_along(physics.gradient, {v[0], v[1], v[2]});
-        for (unsigned int a = 0; a < n_rows; ++a)
-          projected[own[a].local * m + own[a].local] -= along;
-      }
-      if (!chart.on_body.empty() && chart.on_body[cell.nodes[i]])
-      {
-        const GapSample &gap = chart.on_body[cell.nodes[i]]->here;
-        for (unsigned int a = 0; a < n_rows; ++a)
+        const NodalChart::Node &at  = chart.nodes[node];
+        const CellColumn *const own = columns_here;
+        columns_here += at.count;
+        if (at.count > 0 && !chart.unit_vectors.empty())
+        {
+          const auto &v      = chart.unit_vectors[node];
+          const double along = share * component_along(physics.gradient, {v[0], v[1], v[2]});
+          for (unsigned int a = 0; a < at.count; ++a)
+            projected[own[a].local * m + own[a].local] -= along;
+        }
+        if (chart.on_body.empty() || !chart.on_body[node])
+          return;
+        const GapSample &gap = chart.on_body[node]->here;
+        const auto column    = [&](const unsigned int a)
+        { return Vector3<double>(at.columns[3 * a], at.columns[3 * a + 1], at.columns[3 * a + 2]); };
+        for (unsigned int a = 0; a < at.count; ++a)
         {
           if (own[a].mesh_equation && mesh == nullptr)
             continue;
-          const double along = component_along(own[a].mesh_equation ? mesh->gradient : physics.gradient, gap.normal);
-          for (unsigned int b = 0; b < n_rows; ++b)
-            projected[own[a].local * m + own[b].local] -= along * dot(own[a].along, gap.hessian * own[b].along);
+          const double along =
+              share * component_along(own[a].mesh_equation ? mesh->gradient : physics.gradient, gap.normal);
+          for (unsigned int b = 0; b < at.count; ++b)
+            projected[own[a].local * m + own[b].local] -= along * dot(column(a), gap.hessian * column(b));
         }
-      }
+      };
+      const std::size_t I = cell.nodes[i];
+      if (chart.nodes[I].count > 0)
+        add(I, 1.);
+      else if (!chart.carriers.empty())
+        for (const NodalChart::Carrier &carrier : chart.carriers[I])
+          add(carrier.node, carrier.share[0]);
     }
 }
 
@@ -456,9 +471,7 @@ void BorderedSystem::prolongate(const std::vector<double> &u, const double facto
       for (unsigned int c = 0; c < 3; ++c)
         values[3 * I + c] = foot[c];
     }
-  if (unknowns.charts[field].unit_vectors.empty())
-    return;
-  for (std::size_t I = 0; I < unknowns.charts[field].nodes.size(); ++I)
+  for (std::size_t I = 0; I < unknowns.charts[field].unit_vectors.size(); ++I)
     if (unknowns.count(field, I) > 0)
     {
       double *v           = values.data() + 3 * I;
@@ -466,5 +479,8 @@ void BorderedSystem::prolongate(const std::vector<double> &u, const double facto
       for (unsigned int c = 0; c < 3; ++c)
         v[c] /= length;
     }
+  // Where carriers were put on a body or the unit sphere, and against round-off.
+  if (!unknowns.charts[field].carriers.empty())
+    join_hanging_nodes(discretization.hanging, values);
 }
 } // namespace pellicle

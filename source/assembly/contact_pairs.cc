@@ -170,4 +170,30 @@ MultiplierChange ContactPairs::augment()
     state.multiplier = state.pressure;
   return change;
 }
+
+std::vector<double> ContactPairs::memory() const
+{
+  std::vector<double> list(2 * states.size(), 0.);
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (slave_points.is_own(i / slave_points.tables.n_points))
+    {
+      list[2 * i]     = states[i].multiplier;
+      list[2 * i + 1] = states[i].partner ? 1. + static_cast<double>(states[i].partner->cell) : 0.;
+    }
+  return list;
+}
+
+void ContactPairs::recall(const std::vector<double> &memory)
+{
+  for (std::size_t i = 0; i < states.size(); ++i)
+  {
+    states[i]            = ContactPoint();
+    states[i].multiplier = memory[2 * i];
+    if (memory[2 * i + 1] > 0.)
+    {
+      states[i].partner.emplace();
+      states[i].partner->cell = static_cast<std::size_t>(memory[2 * i + 1] - 1.);
+    }
+  }
+}
 } // namespace pellicle

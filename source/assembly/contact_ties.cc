@@ -119,6 +119,21 @@ MultiplierChange ContactTies::augment()
   return change;
 }
 
+std::vector<double> ContactTies::memory() const
+{
+  std::vector<double> list;
+  for (const TiedPoint &tie : ties)
+    for (unsigned int c = 0; c < 3; ++c)
+      list.push_back(slave.is_own(tie.slave_cell) ? tie.multiplier[c] : 0.);
+  return list;
+}
+
+void ContactTies::recall(const std::vector<double> &memory)
+{
+  for (std::size_t i = 0; i < ties.size(); ++i)
+    ties[i].multiplier = {memory[3 * i], memory[3 * i + 1], memory[3 * i + 2]};
+}
+
 std::vector<std::size_t> ContactTies::material_nodes() const
 {
   std::set<std::size_t> nodes;

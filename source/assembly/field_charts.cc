@@ -2,6 +2,7 @@
 #include <pellicle/assembly/body_nodes.h>
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/assembly/field_charts.h>
+#include <pellicle/assembly/hanging_carriers.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/refined_quads.h>
 
@@ -189,6 +190,8 @@ NodalChart chart_of_field(const SurfaceDiscretization &discretization, const Fie
     chart = surface_vector_chart(discretization);
   }
   apply_conditions(conditions, field.name, chart);
+  if (covers_surface(field))
+    carry_hanging_nodes(discretization, chart);
   return chart;
 }
 

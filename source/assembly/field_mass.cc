@@ -29,20 +29,18 @@ SparseMatrix field_mass(const SurfaceDiscretization &discretization, const Nodal
     }
     for (unsigned int I = 0; I < n; ++I)
       for (unsigned int J = 0; J < n; ++J)
-        for (unsigned int a = 0; a < numbering.count(field, nodes[I]); ++a)
-          for (unsigned int b = 0; b < numbering.count(field, nodes[J]); ++b)
-          {
-            const int row    = static_cast<int>(numbering.first_of(field, nodes[I]) + a),
-                      column = static_cast<int>(numbering.first_of(field, nodes[J]) + b);
-            if (column > row)
-              continue;
-            const auto &Z_I = numbering.charts[field].nodes[nodes[I]].columns,
-                       &Z_J = numbering.charts[field].nodes[nodes[J]].columns;
-            double product  = 0.;
-            for (unsigned int c = 0; c < 3; ++c)
-              product += Z_I[3 * a + c] * Z_J[3 * b + c];
-            rows[row][column] += cell_mass[I * n + J] * product;
-          }
+        numbering.for_all_columns(field, nodes[I],
+                                  [&](const std::size_t row, const Vector3<double> &row_column, const bool)
+                                  {
+                                    numbering.for_all_columns(
+                                        field, nodes[J],
+                                        [&](const std::size_t column, const Vector3<double> &column_column, const bool)
+                                        {
+                                          if (column <= row)
+                                            rows[row][static_cast<int>(column)] +=
+                                                cell_mass[I * n + J] * dot(row_column, column_column);
+                                        });
+                                  });
   };
   for_all_cells(tables, discretization.cell_nodes, positions, 3, add_cell);
   SparseMatrix mass;

@@ -61,4 +61,20 @@ bool PairTerms::augment(const NodalVectors &positions, const double tolerance)
       term->augment();
   return any;
 }
+
+void PairTerms::exchange(Archive &archive)
+{
+  for (const auto &term : list)
+  {
+    std::vector<double> memory = term->memory();
+    const std::size_t n        = memory.size();
+    if (!archive.is_reading())
+      communicator.sum(memory);
+    archive | memory;
+    if (memory.size() != n)
+      throw ArchiveMismatch("contact '" + term->name() + "' has other points");
+    if (archive.is_reading())
+      term->recall(memory);
+  }
+}
 } // namespace pellicle

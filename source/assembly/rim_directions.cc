@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/edge_frames.h>
+#include <pellicle/assembly/hanging_carriers.h>
 #include <pellicle/assembly/rim_directions.h>
 #include <pellicle/base/constants.h>
 #include <pellicle/discretization/point_walk.h>
@@ -120,7 +121,7 @@ NodalVectors directions_towards_bodies(const FieldConditions &conditions, const 
       directions_across(conditions, discretization, positions, at_edges);
   if (across.empty())
     return normals;
-  const Eigen::SparseMatrix<double> matrix = screened_laplacian(discretization, positions);
+  const Eigen::SparseMatrix<double> matrix = condensed(discretization, screened_laplacian(discretization, positions));
   const bool is_in_space                   = discretization.kind == SurfaceDiscretization::Kind::surface;
   std::vector<Continuation> continuations;
   Eigen::MatrixXd b(matrix.rows(), 3);

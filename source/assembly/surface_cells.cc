@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/surface_cells.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/hanging_nodes.h>
 
 #include <algorithm>
 #include <map>
@@ -63,6 +64,7 @@ SurfaceCells surface_cells(const SurfaceDiscretization &surface, const std::vect
     for (unsigned int side = 0; side < 4; ++side)
       ++count[original_side(c, side)];
 
+  const IrregularSides irregular(surface);
   std::set<std::size_t> rim_nodes;
   for (std::size_t c = 0; c < list.size(); ++c)
   {
@@ -70,7 +72,7 @@ SurfaceCells surface_cells(const SurfaceDiscretization &surface, const std::vect
     for (unsigned int side = 0; side < 4; ++side)
     {
       const std::vector<std::size_t> key = original_side(c, side);
-      rim[side]                          = count[key] == 1;
+      rim[side]                          = count[key] == 1 && !irregular.contains({list[c], side});
       if (rim[side])
         rim_nodes.insert(key.begin(), key.end());
     }

@@ -16,7 +16,7 @@ namespace
 {
 [[noreturn]] void refuse(const std::string &text, const std::string &reason)
 {
-  throw UserError("'" + text + "' is not a number" + reason);
+  throw UserError("'" + excerpt(text) + "' is not a number" + reason);
 }
 
 /** A plain number, which nearly every entry is: no parser is built for it. Empty when the text is something else. */
@@ -49,7 +49,7 @@ double expression(const std::string &text)
   {
     const std::string where = trimmed(error.GetToken()).empty()
                                   ? "it is incomplete or has misplaced signs"
-                                  : "'" + trimmed(error.GetToken()) + "' is not understood";
+                                  : "'" + excerpt(trimmed(error.GetToken())) + "' is not understood";
     refuse(text, ": " + where + ". Expressions hold numbers, + - * / ^ ( ), pi and functions such as sqrt, exp, sin");
   }
 }

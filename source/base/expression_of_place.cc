@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 namespace pellicle
 {
@@ -30,16 +31,61 @@ double power(const double base, const double exponent)
   return std::pow(base, exponent);
 }
 
-/** f and its derivatives in the order of PlaceSample as a list with commas, the constants in full precision. */
+constexpr std::size_t longest_list = 20000; // muParser takes no longer text
+
+/** Numbers, names and operations in an expression, as far as they are no more than `most`. */
+std::size_t n_parts(const GiNaC::ex &f, const std::size_t most)
+{
+  std::size_t n = 1;
+  for (std::size_t i = 0; i < f.nops() && n <= most; ++i)
+    n += n_parts(f.op(i), most - n);
+  return n;
+}
+
+/** Functions of place one after the other, as a list with commas, the constants in full precision. */
+class List
+{
+public:
+  explicit List(const std::string &text)
+      : of(text)
+  {
+    list << GiNaC::csrc_double;
+  }
+
+  /** Derivatives of nested functions and of long products grow fast: parts are counted before they are written. */
+  void append(const GiNaC::ex &f)
+  {
+    if (n_parts(f, longest_list) <= longest_list)
+      list << (list.tellp() > 0 ? "," : "") << f;
+    if (n_parts(f, longest_list) > longest_list || static_cast<std::size_t>(list.tellp()) > longest_list)
+      throw UserError("'" + excerpt(of) +
+                      "' has derivatives up to the third order that are too long to be evaluated (more than " +
+                      std::to_string(longest_list) + " characters): use fewer terms, factors or nested functions");
+  }
+
+  std::string text() const { return list.str(); }
+
+private:
+  std::string of;
+  std::ostringstream list;
+};
+
+/** f and its derivatives in the order of PlaceSample. */
 std::string list_of_derivatives(const std::string &text, const std::array<GiNaC::realsymbol, 2> &variables)
 {
-  const GiNaC::ex f = read_expression(text, variables);
-  std::ostringstream list;
-  list << GiNaC::csrc_double << f;
+  List list(text);
+  std::vector<GiNaC::ex> derivatives{read_expression(text, variables)};
+  list.append(derivatives.front());
   for (unsigned int order = 1; order <= 3; ++order)
-    for (unsigned int in_y = 0; in_y <= order; ++in_y)
-      list << "," << f.diff(variables[0], order - in_y).diff(variables[1], in_y);
-  return list.str();
+  {
+    const std::vector<GiNaC::ex> lower = derivatives;
+    derivatives                        = {lower.front().diff(variables[0])};
+    for (const GiNaC::ex &f : lower)
+      derivatives.push_back(f.diff(variables[1]));
+    for (const GiNaC::ex &f : derivatives)
+      list.append(f);
+  }
+  return list.text();
 }
 } // namespace
 
@@ -68,7 +114,8 @@ ExpressionOfPlace::ExpressionOfPlace(const std::string &text, const double unit_
     , unit_of_place(unit_of_place)
     , unit_of_value(unit_of_value)
 {
-  const std::string beginning = "'" + expression + "' is not a function of " + variables[0] + " and " + variables[1];
+  const std::string beginning =
+      "'" + excerpt(expression) + "' is not a function of " + variables[0] + " and " + variables[1];
   try
   {
     evaluator = std::make_unique<Evaluator>(

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace pellicle
@@ -37,6 +38,14 @@ ex magnitude(const ex &u)
   static const unsigned int serial =
       GiNaC::function::register_new(GiNaC::function_options("magnitude", 1).derivative_func(derivative_of_magnitude));
   return GiNaC::function(serial, u);
+}
+
+/** The number that an expression is, if it is a real one. */
+std::optional<double> real_number(const ex &u)
+{
+  if (GiNaC::is_a<GiNaC::numeric>(u) && u.info(GiNaC::info_flags::real))
+    return GiNaC::ex_to<GiNaC::numeric>(u).to_double();
+  return {};
 }
 
 using Arguments = std::vector<ex>;
@@ -91,11 +100,14 @@ public:
 
   ex read()
   {
+    if (text.size() > longest_text)
+      refuse("it has " + std::to_string(text.size()) + " characters, more than the " + std::to_string(longest_text) +
+             " that are read");
     const ex all = sum();
     if (next() == ',')
       refuse("',' is not understood here; a decimal fraction is written with a point");
     if (next() != '\0')
-      refuse("'" + text.substr(position) + "' is not understood where it stands");
+      refuse("'" + excerpt(text.substr(position)) + "' is not understood where it stands");
     return all;
   }
 
@@ -106,7 +118,7 @@ private:
     for (const auto &named : functions())
       names.push_back(named.first);
     const std::string x = variables[0].get_name(), y = variables[1].get_name();
-    throw UserError("'" + text + "' is not a function of " + x + " and " + y + ": " + reason +
+    throw UserError("'" + excerpt(text) + "' is not a function of " + x + " and " + y + ": " + reason +
                     ". Expressions hold numbers, + - * / ^ ( ), pi, " + x + ", " + y + " and the functions " +
                     joined(names, ", ") + ".");
   }
@@ -151,14 +163,41 @@ private:
         return result;
   }
 
+  /** All that is nested passes here. */
   ex factor()
+  {
+    if (++depth > deepest)
+      refuse("it is nested more than " + std::to_string(deepest) + " deep");
+    const ex result = signed_power();
+    --depth;
+    return result;
+  }
+
+  ex signed_power()
   {
     if (take('-'))
       return -factor();
     if (take('+'))
       return factor();
     const ex base = primary();
-    return take('^') ? GiNaC::pow(base, factor()) : base;
+    return take('^') ? power(base, factor()) : base;
+  }
+
+  /** Small whole exponents are exact, so that such powers are differentiated as powers. All other numbers are floating:
+   * exact ones would grow without bound, as in 9^9^9. */
+  ex power(const ex &base, const ex &exponent)
+  {
+    const std::optional<double> n = real_number(exponent), number = real_number(base);
+    if (number && n)
+    {
+      const double value = std::pow(*number, *n);
+      if (!std::isfinite(value))
+        refuse("it has a power of numbers that has no finite real value");
+      return GiNaC::numeric(value);
+    }
+    if (n && std::abs(*n) <= 1000. && *n == std::floor(*n))
+      return GiNaC::pow(base, GiNaC::numeric(static_cast<long>(*n)));
+    return GiNaC::pow(base, exponent);
   }
 
   ex primary()
@@ -174,26 +213,24 @@ private:
       return number();
     if (is_letter(first))
       return named();
-    refuse(first == '\0' ? "it is incomplete" : "'" + text.substr(position) + "' is not understood where it stands");
+    refuse(first == '\0' ? "it is incomplete"
+                         : "'" + excerpt(text.substr(position)) + "' is not understood where it stands");
   }
 
   void close()
   {
     if (!take(')'))
-      refuse("a ')' is missing" + (next() == '\0' ? "" : " before '" + text.substr(position) + "'"));
+      refuse("a ')' is missing" + (next() == '\0' ? "" : " before '" + excerpt(text.substr(position)) + "'"));
   }
 
-  /** Whole numbers become exact ones, so that powers are differentiated as such. */
   ex number()
   {
     double value             = 0.;
     const char *const begin  = text.data() + position;
     const auto [stop, error] = std::from_chars(begin, text.data() + text.size(), value);
     if (error != std::errc())
-      refuse("'" + text.substr(position) + "' does not begin with a number that double precision can hold");
+      refuse("'" + excerpt(text.substr(position)) + "' does not begin with a number that double precision can hold");
     position += static_cast<std::size_t>(stop - begin);
-    if (std::abs(value) < 1e9 && value == std::floor(value))
-      return GiNaC::numeric(static_cast<long>(value));
     return GiNaC::numeric(value);
   }
 
@@ -234,9 +271,13 @@ private:
   static bool is_digit(const char c) { return c >= '0' && c <= '9'; }
   static bool is_letter(const char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
+  static constexpr std::size_t longest_text = 5000;
+  static constexpr unsigned int deepest     = 100;
+
   const std::string &text;
   const std::array<GiNaC::realsymbol, 2> &variables;
   std::size_t position = 0;
+  unsigned int depth   = 0;
 };
 } // namespace
 

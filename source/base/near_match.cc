@@ -45,9 +45,12 @@ std::vector<std::string> near_matches(const std::string &word, const std::vector
   std::vector<std::pair<std::size_t, std::string>> near;
   for (const std::string &candidate : candidates)
   {
-    const std::string name     = lower_case(candidate);
-    const std::size_t distance = edit_distance(wanted, name), longest = std::max(wanted.size(), name.size());
-    const bool few_edits = distance <= std::max<std::size_t>(1, longest / 3) && distance < wanted.size();
+    const std::string name         = lower_case(candidate);
+    const auto [shortest, longest] = std::minmax({wanted.size(), name.size()});
+    const std::size_t few          = std::max<std::size_t>(1, longest / 3);
+    // At least the difference of the lengths: the work is done only where it may be less than that allows.
+    const std::size_t distance = longest - shortest > few ? longest : edit_distance(wanted, name);
+    const bool few_edits       = distance <= few && distance < wanted.size();
     if (distance == 0 || few_edits || contains_a_word(name, wanted) || contains_a_word(wanted, name))
       near.emplace_back(distance, candidate);
   }

@@ -60,7 +60,8 @@ double allowed_number(const Entry &entry, const std::string &text)
   if (!entry.range.contains(value))
   {
     const std::string short_text = exact_text(value);
-    throw UserError("'" + text + "'" + (short_text == text ? "" : " (= " + short_text + ")") + " is out of range");
+    throw UserError("'" + excerpt(text) + "'" + (short_text == text ? "" : " (= " + short_text + ")") +
+                    " is out of range");
   }
   return value;
 }
@@ -74,7 +75,7 @@ void assign(const Entry &entry, const std::string &text, int &target)
 {
   const double value = evaluate_number(text);
   if (value != std::floor(value) || std::isinf(value))
-    throw UserError("'" + text + "' is not an integer");
+    throw UserError("'" + excerpt(text) + "' is not an integer");
   target = static_cast<int>(allowed_number(entry, text));
 }
 
@@ -82,14 +83,14 @@ void assign(const Entry & /*entry*/, const std::string &text, bool &target)
 {
   const std::string word = lower_case(text);
   if (word != "true" && word != "yes" && word != "false" && word != "no")
-    throw UserError("'" + text + "' is neither true nor false");
+    throw UserError("'" + excerpt(text) + "' is neither true nor false");
   target = word == "true" || word == "yes";
 }
 
 void assign(const Entry &entry, const std::string &text, std::string &target)
 {
   if (!entry.choices.empty() && std::find(entry.choices.begin(), entry.choices.end(), text) == entry.choices.end())
-    throw UserError("'" + text + "' is not one of the choices" +
+    throw UserError("'" + excerpt(text) + "' is not one of the choices" +
                     (near_matches(text, entry.choices).empty() ? "" : "." + suggestion(text, entry.choices)));
   target = text;
 }

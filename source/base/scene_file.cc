@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <utility>
 
@@ -26,6 +27,8 @@ public:
 
   SceneEntries scan(const std::string &text)
   {
+    if (text.find('\0') != std::string::npos)
+      fail(file_name, "this is no scene: a scene is text, and this file holds zero bytes");
     std::istringstream lines(text);
     std::string physical, logical;
     for (int number = 1; std::getline(lines, physical); ++number)
@@ -63,6 +66,10 @@ private:
       scan_entry(line, rest);
     else if (keyword == "subsection" && !rest.empty() && rest.find('/') == std::string::npos)
     {
+      check_name(rest);
+      if (open.size() == deepest)
+        fail(here(), "subsections are nested more than " + std::to_string(deepest) +
+                         " deep: an 'end' is missing above, or this is no scene");
       open.push_back({open.empty() ? rest : open.back().name + "/" + rest, here()});
       scene.sections.push_back(open.back());
     }
@@ -82,25 +89,35 @@ private:
     const std::string name   = trimmed(assignment.substr(0, equals));
     if (equals == std::string::npos || name.empty() || name.find('/') != std::string::npos)
       malformed(line);
+    check_name(name);
     SceneEntry entry{open.empty() ? "" : open.back().name, name, trimmed(assignment.substr(equals + 1)), here()};
-    for (const SceneEntry &other : scene.entries)
-      if (other.path() == entry.path())
-        fail(here(),
-             "'" + entry.path() + "' is set twice: before at " + other.origin + ". Remove one of the two lines");
+    const auto [other, is_new] = origins.emplace(entry.path(), entry.origin);
+    if (!is_new)
+      fail(here(), "'" + entry.path() + "' is set twice: before at " + other->second + ". Remove one of the two lines");
     scene.entries.push_back(std::move(entry));
+  }
+
+  void check_name(const std::string &name) const
+  {
+    if (name.size() > longest_name)
+      fail(here(), "'" + excerpt(name) + "' is no name: no section and no parameter has a name of more than " +
+                       std::to_string(longest_name) + " characters");
   }
 
   [[noreturn]] void malformed(const std::string &line) const
   {
     fail(here(),
-         "cannot understand '" + line +
+         "cannot understand '" + excerpt(line) +
              "': a line is 'set Name = value', 'subsection Name', 'end', a comment after '#' or empty; names hold "
              "no '/'");
   }
 
+  static constexpr std::size_t deepest = 8, longest_name = 200;
+
   std::string file_name;
-  int line_number = 1;            // where the logical line begins
-  std::vector<SceneSection> open; // innermost last, with its full name
+  int line_number = 1;                        // where the logical line begins
+  std::vector<SceneSection> open;             // innermost last, with its full name
+  std::map<std::string, std::string> origins; // of the entries by path
   SceneEntries scene;
 };
 } // namespace
@@ -129,14 +146,17 @@ SceneEntries read_scene_file(const std::string &file)
     throw UserError("'" + file + "' is a directory: expected a scene file");
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
   if (!stream.is_open())
     throw UserError("cannot open the scene file '" + file + "': " + std::strerror(errno));
-  if (stream.peek() != std::ifstream::traits_type::eof())
-    text << stream.rdbuf();
-  if (stream.bad() || text.fail())
+  constexpr std::size_t longest = 4000000; // devices and pipes may have no end
+  std::string text(longest + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad())
     throw UserError("cannot read the scene file '" + file + "'");
-  return scan_scene(text.str(), file);
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > longest)
+    throw UserError("'" + file + "' is no scene file: it has more than " + std::to_string(longest) + " characters");
+  return scan_scene(text, file);
 }
 
 void set_entry(SceneEntries &scene, const std::string &path, const std::string &value, const std::string &origin)

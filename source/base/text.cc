@@ -13,6 +13,15 @@ std::string trimmed(const std::string &text)
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(white_space) - first + 1);
 }
 
+std::string excerpt(const std::string &text)
+{
+  constexpr std::size_t longest = 200;
+  std::string shown             = text.size() > longest ? text.substr(0, longest - 3) + "..." : text;
+  std::replace_if(
+      shown.begin(), shown.end(), [](const unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+  return shown;
+}
+
 std::string lower_case(std::string text)
 {
   std::transform(text.begin(), text.end(), text.begin(),

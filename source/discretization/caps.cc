@@ -49,10 +49,10 @@ private:
   double rim_angle, radius, growth;
 };
 
-SurfaceDiscretization cap_meridian(const CapOutline &outline, const unsigned int degree, const unsigned int refinements)
+SurfaceDiscretization cap_meridian(const CapOutline &outline, const unsigned int degree, const Refinement &refinement)
 {
-  const std::size_t n_cells    = std::size_t(2) << refinements;
-  SurfaceDiscretization result = meridian_line(degree, n_cells, false,
+  const std::size_t n_cells    = std::size_t(2) << refinement.uniform;
+  SurfaceDiscretization result = meridian_line(degree, n_cells, refinement.cut, false,
                                                [&](const double t)
                                                {
                                                  const auto [r, z] = outline.at(t / n_cells);
@@ -60,12 +60,12 @@ SurfaceDiscretization cap_meridian(const CapOutline &outline, const unsigned int
                                                });
   put_on_axis(result, 0);
   free_along_axis(result);
-  result.edges = {circle_loop(result, "rim", n_cells - 1, true, true)};
+  result.edges = {circle_loop(result, "rim", result.n_cells - 1, true, true)};
   return result;
 }
 
 SurfaceDiscretization cap_surface(const double angle, const CapOutline &outline, const unsigned int degree,
-                                  const unsigned int refinements)
+                                  const Refinement &refinement)
 {
   const BalancedDisc disc(angle);
   const std::vector<QuadVertices> quads = BalancedDisc::quads();
@@ -76,36 +76,35 @@ SurfaceDiscretization cap_surface(const double angle, const CapOutline &outline,
     return Vector3<double>(r * p.cosine, r * p.sine, z);
   };
   SurfaceDiscretization result =
-      place_nodes(refine_quads(corner_points(quads, BalancedDisc::n_vertices, point), quads, refinements, degree),
-                  quads, degree, point);
+      place_nodes(refine_quads(corner_points(quads, BalancedDisc::n_vertices, point), quads, refinement, degree), quads,
+                  degree, point);
   result.edges = find_rims(result, [](const Vector3<double> &) { return "rim"; });
   return result;
 }
 
 SurfaceDiscretization make_cap(const double angle, const double area, const unsigned int degree,
-                               const unsigned int refinements, const bool axial, const double growth)
+                               const Refinement &refinement, const bool axial, const double growth)
 {
   const CapOutline outline(angle, area, growth);
   SurfaceDiscretization result =
-      axial ? cap_meridian(outline, degree, refinements) : cap_surface(angle, outline, degree, refinements);
+      axial ? cap_meridian(outline, degree, refinement) : cap_surface(angle, outline, degree, refinement);
   result.mesh_reference = result.positions;
   return result;
 }
 } // namespace
 
 SurfaceDiscretization cap(const double angle, const double area, const unsigned int degree,
-                          const unsigned int refinements, const bool axial, const double growth)
+                          const Refinement &refinement, const bool axial, const double growth)
 {
   if (!(angle > 0. && angle < pi))
     throw UserError("Cap angle = " + exact_text(angle) +
                     ": the polar angle of a cap's rim must lie strictly between 0 and pi (radians; pi/2 is a "
                     "hemisphere). Take the start shape 'disc' for a flat one.");
-  return make_cap(angle, area, degree, refinements, axial, growth);
+  return make_cap(angle, area, degree, refinement, axial, growth);
 }
 
-SurfaceDiscretization disc(const double area, const unsigned int degree, const unsigned int refinements,
-                           const bool axial)
+SurfaceDiscretization disc(const double area, const unsigned int degree, const Refinement &refinement, const bool axial)
 {
-  return make_cap(0., area, degree, refinements, axial, 0.);
+  return make_cap(0., area, degree, refinement, axial, 0.);
 }
 } // namespace pellicle

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace pellicle
 {
@@ -35,36 +34,37 @@ Direction normalised(const Direction &c)
   return c / std::sqrt(squares[0] + squares[1] + squares[2]);
 }
 
-/**
- * Directions of the (2^r + 1)^2 vertices of a face of the cube, first coordinate fastest: every refinement puts new
- * ones at the middle of great circles between neighbours, and at the mean of four.
- */
-std::vector<Direction> vertex_grid(const std::array<Direction, 4> &corners, const unsigned int refinements)
+using Corners = std::array<Direction, 4>; ///< of a cell, lexicographic
+
+/** Corners of one of the four cells that a cell is cut into: at the middle of great circles between its own corners,
+ * and at the mean of all four. */
+Corners part_of(const Corners &whole, const bool right, const bool upper)
 {
-  std::vector<Direction> grid(corners.begin(), corners.end());
-  std::size_t n = 2; // vertices in a row
-  for (unsigned int r = 0; r < refinements; ++r)
+  const Direction left_middle = normalised(whole[0] + whole[2]), right_middle = normalised(whole[1] + whole[3]),
+                  lower_middle = normalised(whole[0] + whole[1]), upper_middle = normalised(whole[2] + whole[3]),
+                  centre = normalised((whole[0] + whole[3]) + (whole[1] + whole[2]));
+  const std::array<Direction, 9> grid{
+      {whole[0], lower_middle, whole[1], left_middle, centre, right_middle, whole[2], upper_middle, whole[3]}};
+  const unsigned int first = (right ? 1 : 0) + (upper ? 3 : 0);
+  return {{grid[first], grid[first + 1], grid[first + 3], grid[first + 4]}};
+}
+
+/** Of the cell at a place of a face of the cube with the given corners. */
+Corners corners_at(const CellPlace &place, Corners corners)
+{
+  double u = place.u0, v = place.v0; // within the part so far, whose size is 1
+  for (double size = 1.; size > place.size; size *= 0.5)
   {
-    const std::size_t m = 2 * n - 1;
-    std::vector<Direction> finer(m * m);
-    const auto old = [&](const std::size_t i, const std::size_t j) { return grid[j * n + i]; };
-    for (std::size_t j = 0; j < m; ++j)
-      for (std::size_t i = 0; i < m; ++i)
-      {
-        const std::size_t a = i / 2, b = j / 2, c = a + i % 2, d = b + j % 2;
-        finer[j * m + i] = i % 2 + j % 2 == 0 ? old(a, b)
-                           : j % 2 == 0       ? normalised(old(a, b) + old(c, b))
-                           : i % 2 == 0       ? normalised(old(a, b) + old(a, d))
-                                              : normalised((old(a, b) + old(c, d)) + (old(c, b) + old(a, d)));
-      }
-    grid = std::move(finer);
-    n    = m;
+    const bool right = u >= 0.5, upper = v >= 0.5;
+    corners = part_of(corners, right, upper);
+    u       = 2. * u - (right ? 1. : 0.);
+    v       = 2. * v - (upper ? 1. : 0.);
   }
-  return grid;
+  return corners;
 }
 
 /** Weighted mean of four unit vectors on the sphere: Buss and Fillmore, ACM Trans. Graphics 20, 95-126 (2001). */
-Direction spherical_mean(const std::array<Direction, 4> &points, const std::array<double, 4> &weights)
+Direction spherical_mean(const Corners &points, const std::array<double, 4> &weights)
 {
   Direction mean;
   for (unsigned int i = 0; i < 4; ++i)
@@ -89,30 +89,20 @@ Direction spherical_mean(const std::array<Direction, 4> &points, const std::arra
 }
 } // namespace
 
-SurfaceDiscretization on_cube_sphere(const SmoothShape &shape, const unsigned int degree,
-                                     const unsigned int refinements)
+SurfaceDiscretization on_cube_sphere(const SmoothShape &shape, const unsigned int degree, const Refinement &refinement)
 {
   const std::vector<Direction> vertices = cube_vertices();
-  const RefinedQuads mesh               = refine_quads(vertices, cube_faces(), refinements, degree);
-  const std::size_t n_cells             = std::size_t(1) << refinements; // in a row of a face
-  std::vector<std::vector<Direction>> grids;
+  const RefinedQuads mesh               = refine_quads(vertices, cube_faces(), refinement, degree);
+  std::vector<Corners> faces;
   for (const QuadVertices &face : mesh.patches)
-    grids.push_back(vertex_grid({{normalised(vertices[face[0]]), normalised(vertices[face[1]]),
-                                  normalised(vertices[face[2]]), normalised(vertices[face[3]])}},
-                                refinements));
+    faces.push_back({{normalised(vertices[face[0]]), normalised(vertices[face[1]]), normalised(vertices[face[2]]),
+                      normalised(vertices[face[3]])}});
 
   const auto direction = [&](const PatchPoint &site)
   {
-    const auto split = [&](const double xi) { // cell in its row, and coordinate in the cell
-      const double x         = 0.5 * (1. + xi) * static_cast<double>(n_cells);
-      const std::size_t cell = std::min(static_cast<std::size_t>(x), n_cells - 1);
-      return std::make_pair(cell, x - static_cast<double>(cell));
-    };
-    const auto [i, u] = split(site.xi);
-    const auto [j, v] = split(site.eta);
-    const auto vertex = [&](const std::size_t a, const std::size_t b)
-    { return grids[site.patch][b * (n_cells + 1) + a]; };
-    return spherical_mean({{vertex(i, j), vertex(i + 1, j), vertex(i, j + 1), vertex(i + 1, j + 1)}},
+    const CellPlace &cell = site.cell;
+    const double u = (0.5 * (1. + site.xi) - cell.u0) / cell.size, v = (0.5 * (1. + site.eta) - cell.v0) / cell.size;
+    return spherical_mean(corners_at(cell, faces[site.patch]),
                           {{(1. - u) * (1. - v), u * (1. - v), (1. - u) * v, u * v}});
   };
   SurfaceDiscretization result =

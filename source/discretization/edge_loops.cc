@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/edge_loops.h>
+#include <pellicle/discretization/hanging_nodes.h>
 
 #include <algorithm>
 #include <map>
@@ -11,15 +12,6 @@ namespace pellicle
 {
 namespace
 {
-/** Node i of a side of a cell, in the direction that has the cell on its left. */
-std::size_t side_node(const SurfaceDiscretization &surface, const CellSide &at, const std::size_t i)
-{
-  const std::size_t k            = surface.degree;
-  const std::size_t *const nodes = &surface.cell_nodes[at.cell * surface.n_local()];
-  const std::array<std::size_t, 4> local{{i, i * (k + 1) + k, k * (k + 1) + k - i, (k - i) * (k + 1)}};
-  return nodes[local[at.side]];
-}
-
 /** Sides by the nodes at which they begin and end. */
 using SideMap = std::map<std::pair<std::size_t, std::size_t>, CellSide>;
 
@@ -28,13 +20,16 @@ std::pair<std::size_t, std::size_t> ends(const SurfaceDiscretization &surface, c
   return {side_node(surface, at, 0), side_node(surface, at, surface.degree)};
 }
 
+// Where cells of different sizes meet there is no line: lines have cells of equal size on both sides.
 template <typename Predicate>
 SideMap collect_sides(const SurfaceDiscretization &surface, const Predicate &wanted)
 {
+  const IrregularSides irregular(surface);
   SideMap sides;
   for (std::size_t cell = 0; cell < surface.n_cells; ++cell)
     for (unsigned int side = 0; side < 4 && wanted(cell); ++side)
-      sides[ends(surface, {cell, side})] = {cell, side};
+      if (!irregular.contains({cell, side}))
+        sides[ends(surface, {cell, side})] = {cell, side};
   return sides;
 }
 
@@ -82,6 +77,14 @@ std::vector<EdgeLoop> join(const SurfaceDiscretization &surface, std::map<std::s
   return loops;
 }
 } // namespace
+
+std::size_t side_node(const SurfaceDiscretization &surface, const CellSide &at, const std::size_t i)
+{
+  const std::size_t k            = surface.degree;
+  const std::size_t *const nodes = &surface.cell_nodes[at.cell * surface.n_local()];
+  const std::array<std::size_t, 4> local{{i, i * (k + 1) + k, k * (k + 1) + k - i, (k - i) * (k + 1)}};
+  return nodes[local[at.side]];
+}
 
 EdgeLoop circle_loop(const SurfaceDiscretization &meridian, const std::string &name, const std::size_t cell,
                      const bool at_end_of_cell, const bool is_rim)

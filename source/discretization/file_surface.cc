@@ -37,12 +37,12 @@ void check_folds(const RefinedQuads &mesh, const RoundedSurface &rounded, const 
 } // namespace
 
 SurfaceDiscretization from_file(const std::string &file, const double area, const unsigned int degree,
-                                const unsigned int refinements)
+                                const Refinement &refinement)
 {
   PolygonMesh mesh = read_msh(file);
   orient_closed_surface(mesh);
   const RoundedSurface rounded = round_polygons(mesh);
-  const RefinedQuads quads     = refine_quads(rounded.vertices, rounded.quads, refinements, degree);
+  const RefinedQuads quads     = refine_quads(rounded.vertices, rounded.quads, refinement, degree);
   const auto point             = [&](const PatchPoint &site)
   { return rounded_point(rounded, quads.patches[site.patch], site.xi, site.eta); };
 

@@ -74,6 +74,13 @@ SurfaceDiscretization joined(const SurfaceDiscretization &first, const SurfaceDi
       shift(nodes, n);
     result.bulks.push_back(std::move(body));
   }
+  for (HangingNode hanging : second.hanging)
+  {
+    hanging.node += n;
+    for (auto &[node, share] : hanging.shares)
+      node += n;
+    result.hanging.push_back(std::move(hanging));
+  }
   for (const auto &[copy, original] : second.twins)
     result.twins.emplace_back(copy + n, original + n);
   if (n_cells > 0 && second.n_cells > 0)

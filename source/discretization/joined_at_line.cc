@@ -49,6 +49,25 @@ std::size_t turned_round(const SurfaceDiscretization &surface, const std::size_t
   const std::size_t n = surface.degree + 1;
   return surface.kind == SurfaceDiscretization::Kind::meridian ? n - 1 - i : (i % n) * n + i / n;
 }
+/** Of a meridian, whose parts are patches one after the other; in space the cells of both sides of the line would have
+ * to be cut together. */
+void append_places(SurfaceDiscretization &first, const SurfaceDiscretization &second, const bool turned)
+{
+  if (first.kind != SurfaceDiscretization::Kind::meridian)
+  {
+    first.cell_places.clear();
+    return;
+  }
+  const unsigned int patch = first.cell_places.back().patch + 1;
+  for (std::size_t c = 0; c < second.n_cells; ++c)
+  {
+    CellPlace place = second.cell_places[turned ? second.n_cells - 1 - c : c];
+    place.patch += patch;
+    if (turned)
+      place.u0 = 1. - place.u0 - place.size;
+    first.cell_places.push_back(place);
+  }
+}
 } // namespace
 
 std::vector<std::size_t> append_at_line(SurfaceDiscretization &first, const EdgeLoop &line,
@@ -75,7 +94,7 @@ std::vector<std::size_t> append_at_line(SurfaceDiscretization &first, const Edge
           number[second.cell_nodes[cell * second.n_local() + (turned ? turned_round(second, i) : i)]]);
   }
   first.n_cells += second.n_cells;
-  first.cell_places.clear();
+  append_places(first, second, turned);
   first.mesh_reference = first.positions;
   return number;
 }

@@ -80,7 +80,7 @@ struct Reach
 };
 
 Reach reach_of(const SurfaceDiscretization &ridge, const BulkPart &body, const MeridianPlanes &planes,
-               const double ring_radius)
+               const double ring_radius, const double top_height)
 {
   // Cells with a node between the planes are those around the axis.
   double core             = 0.;
@@ -107,7 +107,7 @@ Reach reach_of(const SurfaceDiscretization &ridge, const BulkPart &body, const M
       for (auto node = first; node != last; ++node)
         outside = std::min(outside, distance_from_axis(ridge.positions, *node));
   }
-  const double thickness = -ridge.positions[3 * body.faces.at("bottom").front() + 2];
+  const double thickness = top_height - ridge.positions[3 * body.faces.at("bottom").front() + 2];
   return {std::min(used_room * ring_radius, ring_radius - core), outside - ring_radius, used_room * thickness};
 }
 } // namespace
@@ -129,8 +129,10 @@ LineShift line_shift(const SurfaceDiscretization &ridge)
                                  [](const BulkPart &bulk) { return bulk.name == substrate_body; });
   PELLICLE_ASSERT(line != ridge.edges.end() && body != ridge.bulks.end(), "a ridge has a line and a substrate");
   const MeridianPlanes planes(ridge, *line);
-  const double a    = distance_from_axis(ridge.positions, line->cell_nodes.front());
-  const Reach reach = reach_of(ridge, *body, planes, a);
+  const double a = distance_from_axis(ridge.positions, line->cell_nodes.front());
+  // The undeformed top is plane, the line on it.
+  const double top_height = ridge.positions[3 * line->cell_nodes.front() + 2];
+  const Reach reach       = reach_of(ridge, *body, planes, a, top_height);
 
   LineShift shift;
   shift.leader.resize(ridge.n_nodes);
@@ -143,7 +145,7 @@ LineShift line_shift(const SurfaceDiscretization &ridge)
       const std::size_t node = body->cell_nodes[cell * body->tables.n_nodes + i];
       const double r         = distance_from_axis(ridge.positions, node);
       const double weight    = shift_cutoff(std::abs(r - a), r < a ? reach.inwards : reach.outwards, a) *
-                            shift_cutoff(-ridge.positions[3 * node + 2], reach.downwards, a);
+                            shift_cutoff(top_height - ridge.positions[3 * node + 2], reach.downwards, a);
       if (weight == 0.)
         continue;
       const std::optional<std::size_t> leader = planes.at(node);

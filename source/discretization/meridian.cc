@@ -12,11 +12,11 @@
 
 namespace pellicle
 {
-SurfaceDiscretization on_meridian(const SmoothShape &shape, const unsigned int degree, const unsigned int refinements,
+SurfaceDiscretization on_meridian(const SmoothShape &shape, const unsigned int degree, const Refinement &refinement,
                                   const bool mirror)
 {
   PELLICLE_ASSERT(shape.axisymmetric && (shape.up_down_symmetric || !mirror), "the shape has no such meridian");
-  const std::size_t n_cells = std::size_t(mirror ? 2 : 4) << refinements;
+  const std::size_t n_cells = std::size_t(mirror ? 2 : 4) << refinement.uniform;
   const double end          = mirror ? 0.5 : 1.; // polar angle in units of pi
   const auto direction      = [&](const double t)
   {
@@ -25,13 +25,14 @@ SurfaceDiscretization on_meridian(const SmoothShape &shape, const unsigned int d
   };
 
   SurfaceDiscretization result =
-      meridian_line(degree, n_cells, mirror, [&](const double t) { return shape.point(direction(t)); });
+      meridian_line(degree, n_cells, refinement.cut, mirror, [&](const double t) { return shape.point(direction(t)); });
   result.mesh_reference = result.positions;
   if (shape.even_mesh == SmoothShape::EvenMesh::sphere)
   {
     const double radius = std::sqrt(shape.area / (4. * pi));
     result.mesh_reference =
-        meridian_line(degree, n_cells, mirror, [&](const double t) { return radius * direction(t); }).positions;
+        meridian_line(degree, n_cells, refinement.cut, mirror, [&](const double t) { return radius * direction(t); })
+            .positions;
   }
 
   put_on_axis(result, 0);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <unordered_map>
@@ -23,6 +24,8 @@ public:
   {
     if (!stream)
       throw UserError("Mesh file '" + file + "' cannot be opened: check the name and permissions.");
+    if (std::filesystem::is_directory(file))
+      throw UserError("Mesh file '" + file + "' is a directory: a Gmsh file is needed.");
   }
 
   [[noreturn]] void fail(const std::string &what, const std::size_t at_line = 0) const
@@ -33,10 +36,10 @@ public:
   /** Next line that is not blank; false at the end of the file. */
   bool next()
   {
-    std::string line;
-    while (std::getline(stream, line))
+    while (stream.getline(buffer.data(), static_cast<std::streamsize>(buffer.size())))
     {
       ++line_number;
+      const std::string line = buffer.data();
       words.clear();
       std::size_t begin = 0;
       while ((begin = line.find_first_not_of(blanks, begin)) != std::string::npos)
@@ -48,6 +51,10 @@ public:
       if (!words.empty())
         return true;
     }
+    if (!stream.eof())
+      fail("the file cannot be read further, or has a line of more than " + std::to_string(buffer.size() - 1) +
+               " characters: it is no ASCII file of Gmsh.",
+           line_number + 1);
     words.clear();
     return false;
   }
@@ -102,6 +109,7 @@ private:
 
   std::string file;
   std::ifstream stream;
+  std::vector<char> buffer = std::vector<char>(1000000); // for a line: files that are not text may have endless ones
   std::vector<std::string> words;
   std::size_t line_number = 0;
 };

@@ -26,9 +26,9 @@ double sphere_radius(const SmoothShape &shape)
 }
 
 SurfaceDiscretization region_meridian(const SmoothShape &shape, const double boundary, const unsigned int degree,
-                                      const unsigned int refinements)
+                                      const Refinement &refinement)
 {
-  const double scale  = std::ldexp(1., static_cast<int>(refinements));
+  const double scale  = std::ldexp(1., static_cast<int>(refinement.uniform));
   const double within = scale * std::clamp(std::round(4. * boundary / pi), 1., 3.), beyond = 4. * scale - within;
   // The side with the smaller cells has equal ones; those of the other side grow away from the line.
   const double rest = pi - boundary, size = std::min(boundary / within, rest / beyond);
@@ -40,18 +40,20 @@ SurfaceDiscretization region_meridian(const SmoothShape &shape, const double bou
   };
   const std::size_t n_cells = static_cast<std::size_t>(4. * scale);
   SurfaceDiscretization result =
-      meridian_line(degree, n_cells, false, [&](const double t) { return shape.point(direction(t)); });
+      meridian_line(degree, n_cells, refinement.cut, false, [&](const double t) { return shape.point(direction(t)); });
   put_on_axis(result, 0);
   put_on_axis(result, result.n_nodes - 1);
   free_along_axis(result);
   result.mesh_reference = result.positions;
   if (shape.even_mesh == SmoothShape::EvenMesh::sphere)
-    result.mesh_reference =
-        meridian_line(degree, n_cells, false, [&](const double t) { return sphere_radius(shape) * direction(t); })
-            .positions;
+    result.mesh_reference = meridian_line(degree, n_cells, refinement.cut, false,
+                                          [&](const double t) { return sphere_radius(shape) * direction(t); })
+                                .positions;
 
-  const std::size_t n_within = static_cast<std::size_t>(within);
-  result.cell_region.assign(n_cells, 0);
+  const auto n_within = static_cast<std::size_t>(
+      std::count_if(result.cell_places.begin(), result.cell_places.end(),
+                    [&](const CellPlace &place) { return (place.u0 + 0.5 * place.size) * n_cells < within; }));
+  result.cell_region.assign(result.n_cells, 0);
   std::fill_n(result.cell_region.begin(), n_within, domain);
   result.region_names = names;
   result.edges        = {circle_loop(result, boundary_name, n_within - 1, true, false)};
@@ -168,13 +170,17 @@ private:
 };
 
 SurfaceDiscretization region_surface(const SmoothShape &shape, const double boundary, const unsigned int degree,
-                                     const unsigned int refinements)
+                                     const Refinement &refinement)
 {
   const RingedSphere sphere(shape, boundary);
   const std::vector<QuadVertices> quads = sphere.quads();
   const auto point                      = [&](const unsigned int patch, const double u, const double v)
   { return shape.point(sphere.at(patch, u, v)); };
-  const RefinedQuads mesh = refine_quads(corner_points(quads, sphere.n_vertices(), point), quads, refinements, degree);
+  std::vector<unsigned int> regions;
+  for (unsigned int patch = 0; patch < quads.size(); ++patch)
+    regions.push_back(sphere.within_line(patch) ? domain : 0);
+  const RefinedQuads mesh =
+      refine_quads(corner_points(quads, sphere.n_vertices(), point), quads, refinement, degree, regions);
   SurfaceDiscretization result = place_nodes(mesh, quads, degree, point);
   result.mesh_reference        = result.positions;
   if (shape.even_mesh == SmoothShape::EvenMesh::sphere)
@@ -184,7 +190,7 @@ SurfaceDiscretization region_surface(const SmoothShape &shape, const double boun
                                 .positions;
 
   for (const auto &[patch, u0, v0, size] : mesh.cell_places)
-    result.cell_region.push_back(sphere.within_line(patch) ? domain : 0);
+    result.cell_region.push_back(regions[patch]);
   result.region_names = names;
   result.edges        = find_region_boundary(result, domain, boundary_name);
   return result;
@@ -192,10 +198,10 @@ SurfaceDiscretization region_surface(const SmoothShape &shape, const double boun
 } // namespace
 
 SurfaceDiscretization with_polar_region(const SmoothShape &shape, const double area_fraction, const unsigned int degree,
-                                        const unsigned int refinements, const bool axial)
+                                        const Refinement &refinement, const bool axial)
 {
   const double boundary = polar_angle_of_area(shape, area_fraction);
-  return axial ? region_meridian(shape, boundary, degree, refinements)
-               : region_surface(shape, boundary, degree, refinements);
+  return axial ? region_meridian(shape, boundary, degree, refinement)
+               : region_surface(shape, boundary, degree, refinement);
 }
 } // namespace pellicle

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/hanging_nodes.h>
 #include <pellicle/discretization/refined_quads.h>
 
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/grid/tria.h>
+#include <deal.II/lac/affine_constraints.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +36,60 @@ Box locate(const dealii::CellId &id)
   }
   return box;
 }
+
+CellPlace place_of(const unsigned int patch, const Box &box)
+{
+  return {patch, 0.5 * (1. + box.xi - box.half), 0.5 * (1. + box.eta - box.half), box.half};
+}
+
+using Triangulation = dealii::Triangulation<2, 3>;
+
+/** Whether a neighbour in another region is smaller. */
+bool meets_smaller_cell_at_line(const Triangulation::active_cell_iterator &cell,
+                                const std::vector<unsigned int> &regions)
+{
+  if (regions.empty())
+    return false;
+  for (const unsigned int face : cell->face_indices())
+    if (!cell->at_boundary(face) && cell->neighbor(face)->has_children() &&
+        regions[cell->neighbor(face)->id().get_coarse_cell_id()] != regions[cell->id().get_coarse_cell_id()])
+      return true;
+  return false;
+}
+
+void cut_further(Triangulation &triangulation, const Refinement &refinement, const std::vector<unsigned int> &regions)
+{
+  for (bool any = !refinement.cut.empty(); any;)
+  {
+    any = false;
+    for (const auto &cell : triangulation.active_cell_iterators())
+    {
+      const dealii::CellId id = cell->id();
+      const CellPlace place   = place_of(static_cast<unsigned int>(id.get_coarse_cell_id()), locate(id));
+      if (!refinement.cuts(place) && !meets_smaller_cell_at_line(cell, regions))
+        continue;
+      cell->set_refine_flag();
+      any = true;
+    }
+    if (any)
+      triangulation.execute_coarsening_and_refinement();
+  }
+}
+
+std::vector<HangingNode> find_hanging_nodes(const dealii::DoFHandler<2, 3> &dofs)
+{
+  dealii::AffineConstraints<double> constraints;
+  dealii::DoFTools::make_hanging_node_constraints(dofs, constraints);
+  constraints.close();
+  std::vector<HangingNode> hanging;
+  for (const auto &line : constraints.get_lines())
+  {
+    hanging.push_back({line.index, {}});
+    for (const auto &[node, share] : line.entries)
+      hanging.back().shares.emplace_back(node, share);
+  }
+  return hanging;
+}
 } // namespace
 
 std::vector<double> line_nodes(const unsigned int degree)
@@ -46,15 +103,16 @@ std::vector<double> line_nodes(const unsigned int degree)
 }
 
 RefinedQuads refine_quads(const std::vector<Vector3<double>> &vertices, const std::vector<QuadVertices> &quads,
-                          const unsigned int refinements, const unsigned int degree)
+                          const Refinement &refinement, const unsigned int degree,
+                          const std::vector<unsigned int> &regions)
 {
   std::vector<dealii::Point<3>> points;
   for (const Vector3<double> &v : vertices)
     points.emplace_back(v[0], v[1], v[2]);
 
-  const double n_cells = std::ldexp(double(quads.size()), 2 * static_cast<int>(refinements));
+  const double n_cells = std::ldexp(double(quads.size()), 2 * static_cast<int>(refinement.uniform));
   if (n_cells > most_cells)
-    throw UserError("Refinements = " + std::to_string(refinements) + " would make " + exact_text(n_cells) +
+    throw UserError("Refinements = " + std::to_string(refinement.uniform) + " would make " + exact_text(n_cells) +
                     " cells of the " + std::to_string(quads.size()) + " that the mesh begins with; at most " +
                     exact_text(most_cells) + " are possible. Refine less, and take a higher degree instead.");
 
@@ -64,9 +122,10 @@ RefinedQuads refine_quads(const std::vector<Vector3<double>> &vertices, const st
   for (std::size_t p = 0; p < quads.size(); ++p)
     coarse[p].vertices.assign(mesh.patches[p].begin(), mesh.patches[p].end());
 
-  dealii::Triangulation<2, 3> triangulation;
+  Triangulation triangulation(Triangulation::limit_level_difference_at_vertices);
   triangulation.create_triangulation(points, coarse, dealii::SubCellData());
-  triangulation.refine_global(refinements);
+  triangulation.refine_global(refinement.uniform);
+  cut_further(triangulation, refinement, regions);
 
   const dealii::FE_Q<2, 3> fe(degree);
   dealii::DoFHandler<2, 3> dofs(triangulation);
@@ -74,6 +133,7 @@ RefinedQuads refine_quads(const std::vector<Vector3<double>> &vertices, const st
 
   mesh.n_nodes = dofs.n_dofs();
   mesh.n_cells = triangulation.n_active_cells();
+  mesh.hanging = find_hanging_nodes(dofs);
 
   const std::vector<double> nodes        = line_nodes(degree);
   const std::vector<unsigned int> dof_of = fe.get_poly_space_numbering_inverse();
@@ -85,12 +145,13 @@ RefinedQuads refine_quads(const std::vector<Vector3<double>> &vertices, const st
     const dealii::CellId id = cell->id();
     const auto patch        = static_cast<unsigned int>(id.get_coarse_cell_id());
     const Box box           = locate(id);
-    mesh.cell_places.push_back({patch, 0.5 * (1. + box.xi - box.half), 0.5 * (1. + box.eta - box.half), box.half});
+    const CellPlace place   = place_of(patch, box);
+    mesh.cell_places.push_back(place);
     for (unsigned int j = 0; j <= degree; ++j)
       for (unsigned int i = 0; i <= degree; ++i)
       {
         mesh.cell_nodes.push_back(numbers[dof_of[j * (degree + 1) + i]]);
-        mesh.cell_sites.push_back({patch, box.xi + box.half * nodes[i], box.eta + box.half * nodes[j]});
+        mesh.cell_sites.push_back({patch, box.xi + box.half * nodes[i], box.eta + box.half * nodes[j], place});
       }
   }
   return mesh;
@@ -106,6 +167,7 @@ SurfaceDiscretization place_nodes(const RefinedQuads &mesh, const unsigned int d
   result.n_cells     = mesh.n_cells;
   result.cell_nodes  = mesh.cell_nodes;
   result.cell_places = mesh.cell_places;
+  result.hanging     = mesh.hanging;
   result.tables      = make_surface_tables(degree, degree + 1);
   result.rigid_motions.resize(6); // three translations, three rotations
   for (unsigned int c = 0; c < 3; ++c)
@@ -126,6 +188,7 @@ SurfaceDiscretization place_nodes(const RefinedQuads &mesh, const unsigned int d
     for (unsigned int c = 0; c < 3; ++c)
       result.positions[3 * node + c] = x[c];
   }
+  join_hanging_nodes(result.hanging, result.positions);
   return result;
 }
 

@@ -27,7 +27,7 @@ SurfaceDiscretization cap_meridian(const RidgeShape &shape)
   const std::vector<double> ends =
       graded_ends(arc, std::min(relative_size * shape.cell_size, largest), shape.growth, coarsest, largest);
   const std::size_t n_cells    = ends.size() - 1;
-  SurfaceDiscretization result = meridian_line(shape.degree, n_cells, false,
+  SurfaceDiscretization result = meridian_line(shape.degree, n_cells, {}, false,
                                                [&](const double t)
                                                {
                                                  // Within a cell at constant speed.

@@ -30,7 +30,7 @@ bool is_positive(const double x)
 /** Band of n_across times n_around quadrilaterals; the first coordinate runs from the first rim to the second, the
  * second counterclockwise. */
 SurfaceDiscretization band(const unsigned int n_across, const unsigned int n_around, const unsigned int degree,
-                           const unsigned int refinements, const std::array<std::string, 2> &names,
+                           const Refinement &refinement, const std::array<std::string, 2> &names,
                            const std::function<Vector3<double>(double across, double azimuth_over_pi)> &shape)
 {
   std::vector<QuadVertices> quads;
@@ -41,7 +41,7 @@ SurfaceDiscretization band(const unsigned int n_across, const unsigned int n_aro
   const auto point = [&](const unsigned int patch, const double u, const double v)
   { return shape(patch / n_around + u, 2. * (patch % n_around + v) / n_around); };
   SurfaceDiscretization result =
-      place_nodes(refine_quads(corner_points(quads, (n_across + 1) * n_around, point), quads, refinements, degree),
+      place_nodes(refine_quads(corner_points(quads, (n_across + 1) * n_around, point), quads, refinement, degree),
                   quads, degree, point);
   const Vector3<double> first = shape(0., 0.), second = shape(n_across, 0.);
   const auto distance = [](const Vector3<double> &x, const Vector3<double> &rim)
@@ -55,14 +55,15 @@ SurfaceDiscretization band(const unsigned int n_across, const unsigned int n_aro
 }
 
 /** The same for a meridian, along the first coordinate. */
-SurfaceDiscretization line(const std::size_t n_across, const unsigned int degree,
+SurfaceDiscretization line(const std::size_t n_across, const unsigned int degree, const std::vector<CellPlace> &cut,
                            const std::array<std::string, 2> &names,
                            const std::function<Vector3<double>(double across, double azimuth_over_pi)> &shape)
 {
-  SurfaceDiscretization result = meridian_line(degree, n_across, false, [&](const double t) { return shape(t, 0.); });
+  SurfaceDiscretization result =
+      meridian_line(degree, n_across, cut, false, [&](const double t) { return shape(t, 0.); });
   free_along_axis(result);
   result.edges          = {circle_loop(result, names[0], 0, false, true),
-                           circle_loop(result, names[1], n_across - 1, true, true)};
+                           circle_loop(result, names[1], result.n_cells - 1, true, true)};
   result.mesh_reference = result.positions;
   return result;
 }
@@ -98,7 +99,7 @@ GradedLine radial_line(const AnnulusShape &ring, const double n_cells)
 } // namespace
 
 SurfaceDiscretization tube(const double ratio, const double area, const unsigned int degree,
-                           const unsigned int refinements, const bool axial)
+                           const Refinement &refinement, const bool axial)
 {
   if (!(ratio > 1e-3 && ratio < 1e3))
     throw UserError("Tube ratio = " + exact_text(ratio) +
@@ -112,21 +113,21 @@ SurfaceDiscretization tube(const double ratio, const double area, const unsigned
   const std::array<std::string, 2> names{{"upper rim", "lower rim"}};
   if (axial)
   {
-    const std::size_t n_across = std::size_t(2) << refinements;
-    return line(n_across, degree, names, shape(n_across));
+    const std::size_t n_across = std::size_t(2) << refinement.uniform;
+    return line(n_across, degree, refinement.cut, names, shape(n_across));
   }
   // About square: the circumference is 2 pi/ratio times the length.
   const double around         = 2. * pi / ratio;
   const unsigned int n_around = static_cast<unsigned int>(std::max(4., std::round(around)));
   const unsigned int n_across = static_cast<unsigned int>(std::max(1., std::round(n_around / around)));
-  return band(n_across, n_around, degree, refinements, names, shape(n_across));
+  return band(n_across, n_around, degree, refinement, names, shape(n_across));
 }
 
-SurfaceDiscretization annulus(const AnnulusShape &ring, const unsigned int degree, const unsigned int refinements,
+SurfaceDiscretization annulus(const AnnulusShape &ring, const unsigned int degree, const Refinement &refinement,
                               const bool axial)
 {
   check_annulus(ring);
-  const double cells_per_patch = std::ldexp(1., static_cast<int>(refinements));
+  const double cells_per_patch = std::ldexp(1., static_cast<int>(refinement.uniform));
   const GradedLine radii       = radial_line(ring, ring.n_radial * cells_per_patch);
   const double n_across        = axial ? ring.n_radial * cells_per_patch : ring.n_radial;
   const auto shape             = [&](const double across, const double azimuth_over_pi)
@@ -137,7 +138,7 @@ SurfaceDiscretization annulus(const AnnulusShape &ring, const unsigned int degre
     return turned(radius, azimuth_over_pi, 0.);
   };
   const std::array<std::string, 2> names{{"tip", "ring"}};
-  return axial ? line(static_cast<std::size_t>(n_across), degree, names, shape)
-               : band(ring.n_radial, ring.n_around, degree, refinements, names, shape);
+  return axial ? line(static_cast<std::size_t>(n_across), degree, refinement.cut, names, shape)
+               : band(ring.n_radial, ring.n_around, degree, refinement, names, shape);
 }
 } // namespace pellicle

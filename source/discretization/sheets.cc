@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/discretization/sheets.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -36,6 +37,14 @@ Sheets sheets_of(const SurfaceDiscretization &whole)
       sheets.original.push_back(whole.cell_nodes[i]);
     surface.cell_nodes.push_back(at->second);
   }
+  for (const HangingNode &hanging : whole.hanging)
+    for (unsigned int region = 0; region < std::max<std::size_t>(1, whole.region_names.size()); ++region)
+      if (const auto found = numbers.find({region, hanging.node}); found != numbers.end())
+      {
+        surface.hanging.push_back({found->second, {}});
+        for (const auto &[node, share] : hanging.shares)
+          surface.hanging.back().shares.emplace_back(numbers.at({region, node}), share);
+      }
   surface.n_nodes        = sheets.original.size();
   surface.positions      = sheets.values(whole.positions, 3);
   surface.mesh_reference = sheets.values(whole.mesh_reference, 3);

@@ -100,9 +100,10 @@ SurfaceDiscretization shell_mesh(const ShellShape &shape)
                 : std::vector<QuadVertices>{{{0, 1, 2, 3}}};
   const PatchMap map                = map_of(shape);
   const std::vector<Vector> corners = corner_points(quads, is_sphere ? 7 : 4, map);
-  const RefinedQuads mesh           = refine_quads(corners, quads, shape.refinements + 1, shape.degree);
-  SurfaceDiscretization result      = place_nodes(mesh, quads, shape.degree, map);
-  result.edges                      = find_rims(result, [](const Vector &) { return std::string("boundary"); });
+  const RefinedQuads mesh =
+      refine_quads(corners, quads, {shape.refinement.uniform + 1, shape.refinement.cut}, shape.degree);
+  SurfaceDiscretization result = place_nodes(mesh, quads, shape.degree, map);
+  result.edges                 = find_rims(result, [](const Vector &) { return std::string("boundary"); });
   for (ShapeTables *const tables : {&result.tables, &result.edges.front().tables})
     for (double &weight : tables->weights)
       weight *= mirror_images(shape.name);

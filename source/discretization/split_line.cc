@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace pellicle
 {
@@ -44,10 +45,19 @@ SurfaceDiscretization split_along(SurfaceDiscretization surface, const std::stri
     if (found != copy_of.end())
       node = found->second;
   };
+  std::set<std::size_t> beyond; // nodes on the far side
   for (std::size_t cell = 0; cell < surface.n_cells; ++cell)
     if (surface.cell_region[cell] != 0)
       for (std::size_t i = 0; i < surface.n_local(); ++i)
-        replace(surface.cell_nodes[cell * surface.n_local() + i]);
+      {
+        std::size_t &node = surface.cell_nodes[cell * surface.n_local() + i];
+        replace(node);
+        beyond.insert(node);
+      }
+  for (HangingNode &hanging : surface.hanging)
+    if (beyond.count(hanging.node) > 0)
+      for (auto &[node, share] : hanging.shares)
+        replace(node);
 
   EdgeLoop other = *loop;
   other.name     = far_side(line);

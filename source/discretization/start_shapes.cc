@@ -43,9 +43,9 @@ void check_size(const StartShape &shape)
 const std::map<std::string, std::function<SurfaceDiscretization(const StartShape &)>> &open_shapes()
 {
   static const std::map<std::string, std::function<SurfaceDiscretization(const StartShape &)>> shapes = {
-      {"cap", [](const StartShape &s) { return cap(s.cap_angle, s.area, s.degree, s.refinements, s.axial); }},
-      {"disc", [](const StartShape &s) { return disc(s.area, s.degree, s.refinements, s.axial); }},
-      {"tube", [](const StartShape &s) { return tube(s.tube_ratio, s.area, s.degree, s.refinements, s.axial); }},
+      {"cap", [](const StartShape &s) { return cap(s.cap_angle, s.area, s.degree, s.refinement(), s.axial); }},
+      {"disc", [](const StartShape &s) { return disc(s.area, s.degree, s.refinement(), s.axial); }},
+      {"tube", [](const StartShape &s) { return tube(s.tube_ratio, s.area, s.degree, s.refinement(), s.axial); }},
       {"annulus",
        [](const StartShape &s)
        {
@@ -55,7 +55,7 @@ const std::map<std::string, std::function<SurfaceDiscretization(const StartShape
          ring.smallest       = s.smallest_cell;
          ring.smallest_outer = s.smallest_outer_cell;
          ring.n_radial       = s.radial_cells;
-         return annulus(ring, s.degree, s.refinements, s.axial);
+         return annulus(ring, s.degree, s.refinement(), s.axial);
        }},
   };
   return shapes;
@@ -86,11 +86,11 @@ SurfaceDiscretization build_axial(const StartShape &shape)
     throw UserError("Start shape '" + shape.name + "' has no mirror plane z = 0: use the whole meridian.");
   const SmoothShape scaled = scaled_to_area(smooth, shape.area);
   if (shape.region_fraction == 0.)
-    return on_meridian(scaled, shape.degree, shape.refinements, shape.mirror);
+    return on_meridian(scaled, shape.degree, shape.refinement(), shape.mirror);
   if (shape.mirror)
     throw UserError("Region fraction = " + exact_text(shape.region_fraction) +
                     ": a region around the north pole has no mirror image. Use the whole meridian.");
-  return with_polar_region(scaled, shape.region_fraction, shape.degree, shape.refinements, true);
+  return with_polar_region(scaled, shape.region_fraction, shape.degree, shape.refinement(), true);
 }
 
 SurfaceDiscretization build_surface(const StartShape &shape)
@@ -102,13 +102,13 @@ SurfaceDiscretization build_surface(const StartShape &shape)
                     "' has no north pole to put a region around. Take a shape without handles, or set the fraction to "
                     "0.");
   if (shape.name == "torus")
-    return torus(shape.torus_ratio, shape.area, shape.degree, shape.refinements);
+    return torus(shape.torus_ratio, shape.area, shape.degree, shape.refinement());
   if (shape.name == "file")
-    return from_file(shape.file, shape.area, shape.degree, shape.refinements);
+    return from_file(shape.file, shape.area, shape.degree, shape.refinement());
   const SmoothShape scaled = scaled_to_area(smooth_shapes().at(shape.name)(shape), shape.area);
   return shape.region_fraction == 0.
-             ? on_cube_sphere(scaled, shape.degree, shape.refinements)
-             : with_polar_region(scaled, shape.region_fraction, shape.degree, shape.refinements, false);
+             ? on_cube_sphere(scaled, shape.degree, shape.refinement())
+             : with_polar_region(scaled, shape.region_fraction, shape.degree, shape.refinement(), false);
 }
 } // namespace
 

@@ -106,6 +106,10 @@ int euler_characteristic(const SurfaceDiscretization &surface)
       edges.insert(std::minmax(around[i], around[(i + 1) % 4]));
     }
   }
-  return static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) + static_cast<int>(surface.n_cells);
+  // An edge with a vertex that hangs on it was counted whole and as two halves.
+  const auto on_edges = std::count_if(surface.hanging.begin(), surface.hanging.end(),
+                                      [&](const HangingNode &hangs) { return vertices.count(hangs.node) > 0; });
+  return static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) + static_cast<int>(surface.n_cells) +
+         static_cast<int>(on_edges);
 }
 } // namespace pellicle

@@ -26,7 +26,7 @@ Vector3<double> torus_point(const double R, const double r, const double major, 
 } // namespace
 
 SurfaceDiscretization torus(const double ratio, const double area, const unsigned int degree,
-                            const unsigned int refinements)
+                            const Refinement &refinement)
 {
   if (!(ratio > 1. && ratio < std::numeric_limits<double>::infinity()))
     throw UserError("Torus ratio = " + exact_text(ratio) +
@@ -48,7 +48,7 @@ SurfaceDiscretization torus(const double ratio, const double area, const unsigne
       quads.push_back({{number(i, j), number(i + 1, j), number(i, j + 1), number(i + 1, j + 1)}});
     }
 
-  const RefinedQuads mesh = refine_quads(vertices, quads, refinements, degree);
+  const RefinedQuads mesh = refine_quads(vertices, quads, refinement, degree);
   return place_nodes(
       mesh, quads, degree,
       [&](const unsigned int patch, const double u, const double v)

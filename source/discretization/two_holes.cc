@@ -91,10 +91,10 @@ void check(const DiscWithTwoHoles &disc)
 } // namespace
 
 SurfaceDiscretization disc_with_two_holes(const DiscWithTwoHoles &disc, const unsigned int degree,
-                                          const unsigned int refinements)
+                                          const Refinement &refinement)
 {
   check(disc);
-  const HalfDisc half(disc, std::ldexp(n_radial, static_cast<int>(refinements)));
+  const HalfDisc half(disc, std::ldexp(n_radial, static_cast<int>(refinement.uniform)));
   std::vector<QuadVertices> quads;
   for (unsigned int h = 0; h < 2; ++h)
     for (unsigned int i = 0; i < n_radial; ++i)
@@ -107,7 +107,7 @@ SurfaceDiscretization disc_with_two_holes(const DiscWithTwoHoles &disc, const un
     return in_half == patch ? x : Vector3<double>(-x[0], -x[1], 0.);
   };
   SurfaceDiscretization result = place_nodes(
-      refine_quads(corner_points(quads, n_vertices, point), quads, refinements, degree), quads, degree, point);
+      refine_quads(corner_points(quads, n_vertices, point), quads, refinement, degree), quads, degree, point);
   // In this order, whichever is found first.
   const std::array<std::string, 3> names{{"right hole", "left hole", "ring"}};
   const double between = 0.5 * (0.5 * disc.distance + disc.hole_radius + disc.outer_radius);

@@ -71,8 +71,8 @@ SurfaceDiscretization droplet_bridge(const DropletScene &scene)
   const Arc arc         = arc_of_volume(volume, h, scene.droplet.contact_angle * pi / 180.);
   const double cylinder = std::sqrt(volume / (pi * h));
   SurfaceDiscretization surface =
-      tube(h / cylinder, 2. * pi * cylinder * h, static_cast<unsigned int>(scene.mesh.degree),
-           static_cast<unsigned int>(scene.mesh.refinements), scene.mesh.symmetry == "axial");
+      tube(h / cylinder, 2. * pi * cylinder * h, static_cast<unsigned int>(scene.mesh.degree), scene.mesh.refinement(),
+           scene.mesh.symmetry == "axial");
   for (std::size_t I = 0; I < surface.n_nodes; ++I)
   {
     double *const x    = surface.positions.data() + 3 * I;

@@ -48,6 +48,16 @@ struct Pancake
     return {{a + 0.5 * h * std::sin(angle), 0.5 * h * (1. + std::cos(angle))}};
   }
 };
+/** Places in the base's own coordinates: of the whole it is the second patch, run through from its end. Only meridians
+ * know places of both. */
+std::vector<CellPlace> cut_in_base(const std::vector<CellPlace> &cut)
+{
+  std::vector<CellPlace> own;
+  for (const CellPlace &place : cut)
+    if (place.patch == 1)
+      own.push_back({0, 1. - place.u0 - place.size, 0., place.size});
+  return own;
+}
 } // namespace
 
 SurfaceDiscretization sphere_of_volume(const DropletScene &scene, const double volume)
@@ -57,6 +67,7 @@ SurfaceDiscretization sphere_of_volume(const DropletScene &scene, const double v
   sphere.area        = 4. * pi * std::pow(3. * volume / (4. * pi), 2. / 3.);
   sphere.degree      = static_cast<unsigned int>(scene.mesh.degree);
   sphere.refinements = static_cast<unsigned int>(scene.mesh.refinements);
+  sphere.cut         = scene.mesh.cut;
   sphere.axial       = scene.mesh.symmetry == "axial";
   return make_start_shape(sphere);
 }
@@ -105,7 +116,7 @@ SurfaceDiscretization cap_with_base(const DropletScene &scene)
   const std::size_t on_rim          = upper.edges.front().cell_nodes.front();
   const double rim                  = std::hypot(upper.positions[3 * on_rim], upper.positions[3 * on_rim + 1]);
   const SurfaceDiscretization lower =
-      disc(pi * rim * rim, upper.degree, static_cast<unsigned int>(scene.mesh.refinements), axial);
+      disc(pi * rim * rim, upper.degree, {scene.mesh.refinement().uniform, cut_in_base(scene.mesh.cut)}, axial);
   return closed_at_rim(upper, lower, liquid_gas_region, base_region);
 }
 } // namespace pellicle

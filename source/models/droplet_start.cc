@@ -155,9 +155,10 @@ StartCap start_cap(const DropletParameters &droplet, const SubstrateParameters &
 SurfaceDiscretization droplet_cap(const DropletScene &scene)
 {
   const StartCap shape = start_cap(scene.droplet, scene.substrate);
-  const auto k = static_cast<unsigned int>(scene.mesh.degree), r = static_cast<unsigned int>(scene.mesh.refinements);
-  const bool axial   = scene.mesh.symmetry == "axial";
-  const double angle = std::abs(shape.rim_angle);
+  const auto k         = static_cast<unsigned int>(scene.mesh.degree);
+  const Refinement r   = scene.mesh.refinement();
+  const bool axial     = scene.mesh.symmetry == "axial";
+  const double angle   = std::abs(shape.rim_angle);
   SurfaceDiscretization surface =
       angle > 0. ? cap(angle, shape.area, k, r, axial, shape.growth) : disc(shape.area, k, r, axial);
   EdgeLoop &rim             = surface.edges.front();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/faired_positions.h>
+#include <pellicle/base/exceptions.h>
 #include <pellicle/models/equilibrium_search.h>
 #include <pellicle/solvers/load_stepping.h>
 
@@ -54,6 +56,35 @@ bool EquilibriumSearch::descend()
   return in_charts(problem.needs_material_chart() ? "automatic" : "graph then ale");
 }
 
+bool EquilibriumSearch::take_one_step()
+{
+  const bool is_graph =
+      newton.chart == "graph" || (newton.chart == "automatic" && problem.discretization().has_junctions());
+  const bool is_material = newton.chart == "automatic" && problem.needs_material_chart();
+  problem.use_chart(is_graph      ? PositionChart::graph
+                    : is_material ? PositionChart::material
+                                  : PositionChart::ale,
+                    mesh_reference);
+  problem.linearize();
+  std::vector<double> direction = problem.residual();
+  try
+  {
+    const Timing::Scope scope(timing, "linear solve");
+    solver.factorize(problem.matrix());
+    for (double &d : direction)
+      d = -d;
+    solver.solve(direction);
+  }
+  catch (const SolveError &)
+  {
+    return false;
+  }
+  if (!(problem.displacement(direction) <= newton.step_limit) || !std::isfinite(problem.try_step(direction, 1.)))
+    return false;
+  problem.accept_trial();
+  return true;
+}
+
 bool EquilibriumSearch::iterate(const PositionChart chart, const int max_iterations)
 {
   NewtonParameters parameters = newton;
@@ -101,10 +132,44 @@ bool EquilibriumSearch::in_charts(const std::string &charts)
       return true;
     problem.set_state(before);
   }
-  if (!iterate(PositionChart::graph, newton.max_iterations))
+  if (iterate(PositionChart::graph, newton.max_iterations))
+  {
+    polish();
+    return true;
+  }
+  return charts == "automatic" && from_faired_start(before);
+}
+
+// For a start that is rough, and only for a start: an equilibrium on a load path is smooth, and what is lost by fairing
+// might be its branch.
+bool EquilibriumSearch::from_faired_start(const SurfaceState &start)
+{
+  const SurfaceDiscretization &surface = problem.discretization();
+  const bool is_start                  = std::all_of(start.multipliers.begin(), start.multipliers.end(),
+                                                     [](const double multiplier) { return multiplier == 0.; });
+  if (!is_start || !surface.edges.empty() || !problem.nodal_conditions().empty() ||
+      problem.layout().fields().size() > 2)
     return false;
-  polish();
-  return true;
+  const SurfaceState last   = problem.state();
+  const std::string failure = outcome.failure;
+  SurfaceState faired       = start;
+  faired.fields[0]          = faired_positions(surface, mesh_reference, start.fields[0]);
+  try
+  {
+    problem.set_state(faired);
+    if (iterate(PositionChart::ale, newton.max_iterations))
+    {
+      outcome.warnings.push_back("The start shape was too rough for Newton's method (" + failure +
+                                 "): a smoothed one was used.");
+      return true;
+    }
+  }
+  catch (const SolveError &)
+  {
+  }
+  problem.set_state(last);
+  outcome.failure = failure;
+  return false;
 }
 
 bool EquilibriumSearch::approach(const std::vector<std::size_t> &distant)

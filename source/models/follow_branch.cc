@@ -65,12 +65,23 @@ NodalVectors critical_mode(const Stability &stability)
 
 ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, const double value,
                                                const SceneAt &scene_at, Observer &observer,
-                                               const std::function<void(const PointOnBranch &)> &on_point)
+                                               const std::function<void(const PointOnBranch &)> &on_point,
+                                               const BranchMemory &memory)
 {
+  BranchProgress now;
+  if (memory.from != nullptr)
+    now = *memory.from;
+  else
+  {
+    now.scale = scale_of(branch, value);
+    now.mesh_reference =
+        solved_mesh().mesh_reference.empty() ? problem->state().fields[0] : solved_mesh().mesh_reference;
+  }
+
   SceneParameter parameter;
   parameter.name        = branch.parameter;
   parameter.value       = value;
-  parameter.scale       = scale_of(branch, value);
+  parameter.scale       = now.scale;
   parameter.potentials  = [&](const double p) { return potentials_of(*scene_at(p)); };
   parameter.derivatives = [&](const double p)
   { return of_parameter(scene_at(p)->derivatives(unit, targets), branch.parameter); };
@@ -79,33 +90,39 @@ ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, c
   const PositionChart chart = problem->needs_material_chart() ? PositionChart::material
                               : newton.chart == "graph"       ? PositionChart::graph
                                                               : PositionChart::ale;
-  const NodalVectors mesh_reference =
-      solved_mesh().mesh_reference.empty() ? problem->state().fields[0] : solved_mesh().mesh_reference;
-  SurfaceBranch along(*problem, std::move(parameter), chart, mesh_reference);
+  Archive state;
+  if (memory.from != nullptr)
+    problem->exchange(state);
+  SurfaceBranch along(*problem, std::move(parameter), chart, now.mesh_reference);
+  if (memory.from != nullptr)
+  {
+    along.set_parameter(now.position.parameter);
+    Archive same(state.content());
+    problem->exchange(same);
+    along.use_own_chart();
+  }
   Continuation continuation(branch.steps, newton, *solver, timing);
 
-  std::optional<int> count_before;
-  PlaceOnBranch before;
   bool at_bifurcation = false;
   const auto visit    = [&](const BranchPoint &point)
   {
-    const SurfaceState state = problem->state();
-    const bool lists_modes   = analyses_stability && stability_parameters.eigenvalues > 0;
-    last_stability           = stability_in_passing(
-                  *problem, *solver, along, lists_modes ? static_cast<unsigned int>(stability_parameters.eigenvalues) : 0);
+    const SurfaceState at_point = problem->state();
+    const bool lists_modes      = analyses_stability && stability_parameters.eigenvalues > 0;
+    last_stability              = stability_in_passing(
+                     *problem, *solver, along, lists_modes ? static_cast<unsigned int>(stability_parameters.eigenvalues) : 0);
 
     PointOnBranch here{point, std::nullopt};
     at_bifurcation = false;
     if (last_stability && !point.is_fold)
     {
       here.negative_eigenvalues = last_stability->negative_eigenvalues;
-      at_bifurcation            = count_before && *count_before != *here.negative_eigenvalues;
-      count_before              = here.negative_eigenvalues;
+      at_bifurcation            = now.count && *now.count != *here.negative_eigenvalues;
+      now.count                 = here.negative_eigenvalues;
       if (!at_bifurcation)
-        before = {state, point.parameter, *count_before};
+        now.before = {at_point, point.parameter, *now.count};
     }
     else if (point.is_fold)
-      count_before.reset(); // here it changes without a bifurcation
+      now.count.reset(); // here it changes without a bifurcation
     on_point(here);
     if (at_bifurcation)
       observer.on_message("A bifurcation: the number of negative eigenvalues has changed to " +
@@ -113,42 +130,55 @@ ContinuationResult SurfaceModel::follow_branch(const BranchParameters &branch, c
                           std::to_string(point.parameter));
     return !(at_bifurcation && branch.at_bifurcation == "switch");
   };
-
-  StartDirection start = branch.direction == "increasing" ? StartDirection::increasing() : StartDirection::decreasing();
-  ContinuationResult result = continuation.run(along, start, observer, visit);
-  if (result.end != ContinuationEnd::stopped)
-    return result;
+  const auto after_point = [&](const BranchPosition &position)
+  {
+    now.position = position;
+    if (memory.after_point)
+      memory.after_point(now);
+  };
 
   // Onto the crossing branch, along the mode that is critical there: first to the bifurcation, for beside it that
   // branch may be out of reach or absent. Further bifurcations are only reported.
-  StartDirection sideways;
-  try
-  {
-    const Stability there = go_to_bifurcation(along, before, {problem->state(), along.parameter(), *count_before});
-    sideways              = StartDirection::along(problem->direction_of(critical_mode(there)), branch.amplitude);
-  }
-  catch (const SolveError &error)
-  {
-    result.end     = ContinuationEnd::failed;
-    result.failure = std::string("the bifurcation could not be located: ") + error.what();
-    return result;
-  }
-  count_before.reset();
   const auto visit_only = [&](const BranchPoint &point)
   {
     visit(point);
     if (point.arc_length == 0.)
-      count_before.reset(); // at the bifurcation itself the number is left to round-off
+      now.count.reset(); // at the bifurcation itself the number is left to round-off
     return true;
   };
-  const ContinuationResult other = continuation.run(along, sideways, observer, visit_only);
-  result.end                     = other.end;
-  result.failure                 = other.failure;
-  result.points += other.points;
-  result.folds += other.folds;
-  result.iterations += other.iterations;
-  result.rejected_steps += other.rejected_steps;
-  return result;
+  ContinuationResult other;
+  if (now.has_switched)
+    other = continuation.go_on(along, now.position, observer, visit_only, after_point);
+  else
+  {
+    const StartDirection start =
+        branch.direction == "increasing" ? StartDirection::increasing() : StartDirection::decreasing();
+    ContinuationResult &result = now.before_switch;
+    result = memory.from != nullptr ? continuation.go_on(along, now.position, observer, visit, after_point)
+                                    : continuation.run(along, start, observer, visit, after_point);
+    if (result.end != ContinuationEnd::stopped)
+      return result;
+    StartDirection sideways;
+    try
+    {
+      const Stability there = go_to_bifurcation(along, now.before, {problem->state(), along.parameter(), *now.count});
+      sideways              = StartDirection::along(problem->direction_of(critical_mode(there)), branch.amplitude);
+    }
+    catch (const SolveError &error)
+    {
+      result.end     = ContinuationEnd::failed;
+      result.failure = std::string("the bifurcation could not be located: ") + error.what();
+      return result;
+    }
+    now.count.reset();
+    now.has_switched = true;
+    other            = continuation.run(along, sideways, observer, visit_only, after_point);
+  }
+  other.points += now.before_switch.points;
+  other.folds += now.before_switch.folds;
+  other.iterations += now.before_switch.iterations;
+  other.rejected_steps += now.before_switch.rejected_steps;
+  return other;
 }
 
 // False position on the critical eigenvalue, which is nearly linear in the parameter; Illinois' halving where one end

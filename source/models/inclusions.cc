@@ -111,8 +111,8 @@ SurfaceDiscretization sphere_mesh(const InclusionParameters &p, const double sho
 {
   const double angle = pi - p.polar_angle, n_cells = 4u << base.refinements;
   const double first = smallest_cell(shortest, angle * sphere_radius(base.area), 4, base.refinements);
-  return cap(angle, area_outside_cap(base.area, p.polar_angle), base.degree, base.refinements + 1, base.axial,
-             growth_of_cap(angle, first / sphere_radius(base.area), n_cells));
+  return cap(angle, area_outside_cap(base.area, p.polar_angle), base.degree, {base.refinements + 1, base.cut},
+             base.axial, growth_of_cap(angle, first / sphere_radius(base.area), n_cells));
 }
 
 /** A unit vector turned by the angle |turn| towards `turn`, which is at right angles to it. */
@@ -198,7 +198,7 @@ SurfaceDiscretization InclusionMembrane::mesh(const StartShape &base) const
   else
     result = disc_with_two_holes(
         {discs.radius, discs.distance, discs.outer_radius, first_cell * shortest / (1u << base.refinements)},
-        base.degree, base.refinements);
+        base.degree, base.refinement());
   const std::vector<std::string> names = rims(); // builders have names of their own
   for (std::size_t i = 0; i < names.size(); ++i)
     result.edges[i].name = names[i];

@@ -7,9 +7,7 @@ namespace pellicle
 {
 namespace
 {
-// The trapezoidal rule is better than this on steps that a branch allows, and jumps are worse.
-constexpr double relative_tolerance = 0.2;
-constexpr double round_off          = 1e-7; // of the energy
+constexpr double round_off = 1e-7; // of the energy
 } // namespace
 
 std::optional<JumpDetector::State> JumpDetector::state_of(const SurfaceModel &model, const SurfaceScene &scene,
@@ -20,14 +18,15 @@ std::optional<JumpDetector::State> JumpDetector::state_of(const SurfaceModel &mo
   return std::nullopt;
 }
 
-bool JumpDetector::has_jumped(const SurfaceModel &model, const SurfaceScene &scene, const double p) const
+bool JumpDetector::has_jumped(const SurfaceModel &model, const SurfaceScene &scene, const double p,
+                              const double tolerance) const
 {
   const std::optional<State> now = state_of(model, scene, p);
   if (!last || !now)
     return false;
   const double step     = now->p - last->p;
   const double expected = 0.5 * (now->slope + last->slope) * step;
-  const double allowed  = relative_tolerance * 0.5 * (std::abs(now->slope) + std::abs(last->slope)) * std::abs(step) +
+  const double allowed  = tolerance * 0.5 * (std::abs(now->slope) + std::abs(last->slope)) * std::abs(step) +
                          round_off * (1. + std::abs(now->energy));
   return std::abs(now->energy - last->energy - expected) > allowed;
 }

@@ -120,6 +120,12 @@ std::string LinePinning::about_failure() const
   return settling || !is_pulled_along() ? "" : slip.about_sliding();
 }
 
+void LinePinning::exchange(Archive &archive)
+{
+  slip.exchange(archive);
+  archive | nodes | settling | last_equilibrium;
+}
+
 double LinePinning::cosine(const SlipStatus status) const
 {
   return std::cos(status == SlipStatus::stuck       ? drop.contact_angle

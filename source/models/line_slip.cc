@@ -113,6 +113,14 @@ double LineSlip::dissipated_in_step() const
   return state.start.empty() ? 0. : sum / parameter_length;
 }
 
+void LineSlip::exchange(Archive &archive)
+{
+  archive.name("slip");
+  for (auto &[I, node] : nodes)
+    archive | node.status | node.settled;
+  archive | friction_state->coefficient | friction_state->start | friction_state->dissipated | areas_at_equilibrium;
+}
+
 LineSlip::Counts LineSlip::counts() const
 {
   Counts counts;

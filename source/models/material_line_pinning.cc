@@ -105,6 +105,12 @@ std::string MaterialLinePinning::about_failure() const
   return is_pulled_along ? slip.about_sliding() : "";
 }
 
+void MaterialLinePinning::exchange(Archive &archive)
+{
+  slip.exchange(archive);
+  archive | field | start | last_equilibrium;
+}
+
 void MaterialLinePinning::set_friction()
 {
   slip.set_friction(thresholds.advancing, -thresholds.receding);

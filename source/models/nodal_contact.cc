@@ -21,10 +21,26 @@ NodalContact::NodalContact(const SurfaceDiscretization &surface, std::vector<std
     , exempt(std::move(exempt_nodes))
     , touched(surface.n_nodes, none)
 {
-  for (std::size_t I = 0; I < surface.n_nodes; ++I)
+  for (const HangingNode &hanging : surface.hanging)
+    exempt[hanging.node] = true; // its neighbours' statuses decide where it is
+  find_touching(surface.positions);
+}
+
+void NodalContact::find_touching(const NodalVectors &positions)
+{
+  for (std::size_t I = 0; I < touched.size(); ++I)
+  {
+    touched[I] = none;
     for (std::size_t b = 0; b < bodies.size(); ++b)
-      if (!exempt[I] && bodies[b]->gap(vector_at(surface.positions, I)).gap < on_body_gap)
+      if (!exempt[I] && bodies[b]->gap(vector_at(positions, I)).gap < on_body_gap)
         touched[I] = static_cast<int>(b);
+  }
+}
+
+bool NodalContact::take_over(const FieldValues &fields)
+{
+  find_touching(fields[0]);
+  return true;
 }
 
 const std::string &NodalContact::name() const
@@ -92,6 +108,11 @@ std::string NodalContact::about_failure() const
       text += (text.empty() ? "in contact at its nodes: " : ", ") + std::to_string(n) + " on the " + bodies[b]->name() +
               (bodies.size() > 1 ? " " + std::to_string(b + 1) : "");
   return text.empty() ? "no node touches a body" : text;
+}
+
+void NodalContact::exchange(Archive &archive)
+{
+  archive | touched;
 }
 
 std::size_t NodalContact::n_active() const

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/assembly/hanging_carriers.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/edge_loops.h>
 #include <pellicle/discretization/point_walk.h>
@@ -171,8 +172,12 @@ Eigen::VectorXd normal_part(const SurfaceDiscretization &discretization, const N
 
 NodalCurvature nodal_curvature(const SurfaceDiscretization &discretization, const NodalVectors &positions)
 {
-  const std::size_t n_nodes = discretization.n_nodes;
-  const WeakForms forms     = assemble(discretization, positions);
+  const std::size_t n_nodes           = discretization.n_nodes;
+  const Eigen::SparseMatrix<double> P = hanging_prolongation(discretization);
+  WeakForms forms                     = assemble(discretization, positions);
+  forms.mass                          = condensed(discretization, forms.mass);
+  forms.laplacian                     = P.transpose() * forms.laplacian;
+  forms.gauss                         = P.transpose() * forms.gauss;
   Factorization factorization;
   factorize(factorization, forms.mass);
 
@@ -185,15 +190,17 @@ NodalCurvature nodal_curvature(const SurfaceDiscretization &discretization, cons
       continue;
     const bool all             = std::all_of(is_free.begin(), is_free.end(), [](const bool node) { return node; });
     const Eigen::VectorXd load = forms.laplacian.col(c);
-    const Eigen::VectorXd h =
+    const Eigen::VectorXd of_free =
         all ? Eigen::VectorXd(factorization.solve(load)) : solve_constrained(forms.mass, load, is_free);
+    const Eigen::VectorXd h = P * of_free;
     for (std::size_t I = 0; I < n_nodes; ++I)
       result.curvature_vector[3 * I + c] = h[I];
   }
 
-  const Eigen::VectorXd H = factorization.solve(normal_part(discretization, positions, result.curvature_vector));
+  const Eigen::VectorXd projected = P.transpose() * normal_part(discretization, positions, result.curvature_vector);
+  const Eigen::VectorXd H         = P * Eigen::VectorXd(factorization.solve(projected));
   result.mean_outward.assign(H.data(), H.data() + H.size());
-  const Eigen::VectorXd K = factorization.solve(forms.gauss);
+  const Eigen::VectorXd K = P * Eigen::VectorXd(factorization.solve(forms.gauss));
   result.gauss.assign(K.data(), K.data() + K.size());
   return result;
 }

@@ -12,6 +12,7 @@
 #include <pellicle/potentials/solids/solid_effect.h>
 #include <pellicle/potentials/wetting/free_contact_line.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pellicle
@@ -311,6 +312,30 @@ std::vector<std::unique_ptr<ActiveSet>> RidgeScene::active_sets(const SurfaceDis
 SurfaceMeasures RidgeScene::measures(const Scales & /*scales*/) const
 {
   return measure_ridge;
+}
+
+// Where the surface has a corner, the solution is singular, and no degree helps. Meshes grow by a factor that Mesh/
+// Refinements sets, so that a level has nothing in common with the one before.
+LevelRange RidgeScene::level_range() const
+{
+  LevelRange range;
+  range.first = {static_cast<unsigned int>(mesh.degree), static_cast<unsigned int>(std::min(mesh.refinements, 1))};
+  range.highest_degree   = range.first.degree;
+  range.most_refinements = 8;
+  range.dimension        = is_axial() ? 2 : 3;
+  return range;
+}
+
+// The scene's own cells at the line belong to its own refinements.
+std::vector<std::pair<std::string, double>> RidgeScene::level_settings(const LevelMesh &level) const
+{
+  const double finer = std::ldexp(1., static_cast<int>(level.refinements) - mesh.refinements);
+  std::vector<std::pair<std::string, double>> settings = SurfaceScene::level_settings(level);
+  settings.emplace_back("Contact line/Cell size", line.cell_size / finer);
+  if (!is_axial())
+    settings.emplace_back("Substrate/Azimuthal cells",
+                          8. * std::max(1., std::round(substrate.azimuthal_cells * finer / 8.)));
+  return settings;
 }
 
 RidgeScene make_ridge_scene(const EffectLibrary &library, const std::vector<std::string> &effects,

@@ -101,13 +101,13 @@ double ShellScene::own_length() const
 ShellShape ShellScene::shape(const double unit) const
 {
   ShellShape result;
-  result.name        = shell.shape;
-  result.radius      = shell.radius / unit;
-  result.length      = shell.length / unit;
-  result.width       = shell.width / unit;
-  result.angle       = shell.angle * pi / 180.;
-  result.degree      = static_cast<unsigned int>(mesh.degree);
-  result.refinements = static_cast<unsigned int>(mesh.refinements);
+  result.name       = shell.shape;
+  result.radius     = shell.radius / unit;
+  result.length     = shell.length / unit;
+  result.width      = shell.width / unit;
+  result.angle      = shell.angle * pi / 180.;
+  result.degree     = static_cast<unsigned int>(mesh.degree);
+  result.refinement = mesh.refinement();
   return result;
 }
 

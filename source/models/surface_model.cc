@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
 #include <pellicle/discretization/edge_loops.h>
+#include <pellicle/discretization/hanging_nodes.h>
 #include <pellicle/discretization/split_line.h>
 #include <pellicle/discretization/surface_quality.h>
 #include <pellicle/models/contact_augmentation.h>
 #include <pellicle/models/random_vectors.h>
+#include <pellicle/models/state_transfer.h>
 #include <pellicle/models/surface_model.h>
 
 #include <algorithm>
@@ -76,6 +78,7 @@ SurfaceModel::SurfaceModel(const SurfaceScene &scene, const Communicator &commun
 {
   centroid = normalise(discretization, unit.length, scene.has_origin(), planes);
   add_node_noise(scene.node_noise());
+  join_hanging_nodes(discretization); // which a scene may have placed as it places the others
   set_blas_threads(newton.threads);
   take_from_mesh(scene);
   PotentialSet potentials = potentials_of(scene);
@@ -195,6 +198,23 @@ void SurfaceModel::update(const SurfaceScene &scene)
   problem->set_potentials(std::move(potentials));
 }
 
+bool SurfaceModel::start_from(const SurfaceModel &solved)
+{
+  PELLICLE_ASSERT(unit.length == solved.unit.length && unit.energy == solved.unit.energy,
+                  "models of one scene have the same units");
+  const Vector3<double> shift       = (1. / unit.length) * (origin() - solved.origin());
+  std::optional<SurfaceState> state = transferred_state(*solved.problem, *problem, shift);
+  if (!state)
+    return false;
+  for (const auto &active : active_sets)
+    if (!active->take_over(state->fields))
+      return false;
+  problem->set_state(std::move(*state));
+  if (!active_sets.empty())
+    apply_active_sets();
+  return true;
+}
+
 PotentialSet SurfaceModel::potentials_of(const SurfaceScene &scene)
 {
   targets           = scene.targets(unit);
@@ -231,20 +251,34 @@ void SurfaceModel::take_from_mesh(const SurfaceScene &scene)
     conormals[name] = std::make_shared<const std::vector<Vector3<double>>>(std::move(of_rim));
 }
 
+NodalVectors SurfaceModel::mesh_reference() const
+{
+  return newton.mesh_reference == "start shape" && !solved_mesh().mesh_reference.empty() ? solved_mesh().mesh_reference
+                                                                                         : problem->state().fields[0];
+}
+
+bool SurfaceModel::take_one_step()
+{
+  const NodalVectors preferred = mesh_reference();
+  Observer nobody;
+  return EquilibriumSearch(newton, *problem, *solver, timing, preferred, 0, nobody).take_one_step();
+}
+
 StepResult SurfaceModel::solve(const int step, Observer &observer)
 {
-  const SurfaceState before         = problem->state();
-  const NodalVectors mesh_reference = newton.mesh_reference == "start shape" && !solved_mesh().mesh_reference.empty()
-                                          ? solved_mesh().mesh_reference
-                                          : before.fields[0];
+  const SurfaceState before    = problem->state();
+  const NodalVectors preferred = mesh_reference();
   InUsersUnits energies(observer, unit);
-  EquilibriumSearch search(newton, *problem, *solver, timing, mesh_reference, step, energies);
+  EquilibriumSearch search(newton, *problem, *solver, timing, preferred, step, energies);
   last_stability.reset();
   if (active_sets.empty())
     search.run();
   else
     solve_with_active_sets(search);
   count_unknowns();
+  last_linear_solver.reset();
+  if (search.result().converged && newton.condition_estimate)
+    look_at_matrix(search);
   if (search.result().converged && analyses_stability)
     look_at_stability(search);
   if (!search.result().converged)
@@ -374,6 +408,23 @@ void SurfaceModel::show_last_iterate()
   catch (const SolveError &)
   {
     problem->set_state(kept); // a shape without a moment cannot be shown
+  }
+}
+
+void SurfaceModel::look_at_matrix(EquilibriumSearch &search)
+{
+  try
+  {
+    problem->linearize();
+    solver->factorize(problem->matrix());
+    if (const std::optional<Conditioning> conditioning = solver->conditioning(problem->matrix()))
+      last_linear_solver = LinearSolverReport{solver->name(), *conditioning, {}};
+    if (const std::optional<Inertia> inertia = solver->inertia(); inertia && last_linear_solver)
+      last_linear_solver->negative_pivots = inertia->negative;
+  }
+  catch (const SolveError &error)
+  {
+    search.warn(std::string("No condition number of the matrix at the equilibrium: ") + error.what());
   }
 }
 

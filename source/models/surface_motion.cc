@@ -19,8 +19,8 @@ constexpr double smallest_step = 1. / 1024.; // of an interval
 class MinimisingMotion : public SurfaceMotion
 {
 public:
-  MinimisingMotion(const MotionSetting &of, const double interval)
-      : SurfaceMotion(of, interval)
+  MinimisingMotion(const MotionSetting &of, const double interval, Archive *earlier)
+      : SurfaceMotion(of, interval, earlier)
       , smallest(smallest_step * interval)
   {
   }
@@ -63,19 +63,28 @@ private:
   const double smallest;
 };
 
-/** Variable order and step. */
+/** Variable order and step. One that goes on starts the integrator anew, with short steps of first order. */
 class IntegratedMotion : public SurfaceMotion
 {
 public:
-  IntegratedMotion(const MotionSetting &of, const TimeParameters &time)
-      : SurfaceMotion(of, time.interval())
+  IntegratedMotion(const MotionSetting &of, const TimeParameters &time, Archive *earlier)
+      : SurfaceMotion(of, time.interval(), earlier)
+      , dissipated_before(books.dissipated())
       , energy_tolerance(time.energy_tolerance)
       , system(setting.problem, 1. / time.interval(), setting.communicator, setting.timing)
       , solver(make_linear_solver(setting.newton.linear_solver))
-      , integrator(system, *solver, {time.relative_tolerance, time.absolute_tolerance}, 0., system.start(),
-                   time.time_after(1))
+      , integrator(system, *solver, {time.relative_tolerance, time.absolute_tolerance}, now, system.start(),
+                   now + time.interval())
   {
+    if (earlier != nullptr)
+      *earlier | has_warned;
     take_state();
+  }
+
+  void write(Archive &archive) override
+  {
+    exchange(archive);
+    archive | has_warned;
   }
 
   StepResult advance(const double to, int /*step*/, Observer & /*observer*/) override
@@ -93,7 +102,7 @@ public:
     }
     now = to;
     take_state();
-    books.set(setting.problem.energy(), integrator.dissipated());
+    books.set(setting.problem.energy(), dissipated_before + integrator.dissipated());
     const double error = std::abs(books.relative_error());
     if (error > energy_tolerance && !has_warned)
     {
@@ -116,6 +125,7 @@ private:
     power = system.dissipated_power(integrator.y(), integrator.rate());
   }
 
+  const double dissipated_before; ///< by the motion that goes on
   const double energy_tolerance;
   RelaxationSystem system;
   std::unique_ptr<LinearSolver> solver;
@@ -145,9 +155,14 @@ void check_material_points(const PotentialSet &set, const bool is_held)
 
 // Two steps so short that nothing with friction moves far. What has none settles in the first one; where that takes a
 // jump of something with friction, against a constraint, the second one forgets the impulse.
-SurfaceMotion::SurfaceMotion(const MotionSetting &of, const double interval)
+SurfaceMotion::SurfaceMotion(const MotionSetting &of, const double interval, Archive *earlier)
     : setting(of)
 {
+  if (earlier != nullptr)
+  {
+    exchange(*earlier);
+    return;
+  }
   Observer nobody;
   StepResult result;
   for (int i = 0; i < 2; ++i)
@@ -176,14 +191,14 @@ bool SurfaceMotion::solve_step(const double length, const int step, Observer &ob
   return done;
 }
 
-std::unique_ptr<SurfaceMotion> make_motion(const TimeParameters &time, const MotionSetting &setting)
+std::unique_ptr<SurfaceMotion> make_motion(const TimeParameters &time, const MotionSetting &setting, Archive *earlier)
 {
   SurfaceProblem &problem = setting.problem;
   problem.use_chart(problem.needs_material_chart() ? PositionChart::material : PositionChart::graph,
                     problem.state().fields[0]);
   check_that_motion_is_defined(problem);
   if (time.integrator == "ida")
-    return std::make_unique<IntegratedMotion>(setting, time);
-  return std::make_unique<MinimisingMotion>(setting, time.interval());
+    return std::make_unique<IntegratedMotion>(setting, time, earlier);
+  return std::make_unique<MinimisingMotion>(setting, time.interval(), earlier);
 }
 } // namespace pellicle

@@ -3,8 +3,10 @@
 #include <pellicle/assembly/carried_nodes.h>
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/assembly/field_charts.h>
+#include <pellicle/assembly/hanging_carriers.h>
 #include <pellicle/assembly/rim_directions.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/hanging_nodes.h>
 #include <pellicle/discretization/point_walk.h>
 #include <pellicle/models/surface_problem.h>
 #include <pellicle/potentials/energies/mesh_distortion.h>
@@ -165,6 +167,9 @@ void SurfaceProblem::set_conditions(NodalConditions nodal_conditions)
 void SurfaceProblem::set_state(SurfaceState state)
 {
   current = std::move(state);
+  for (std::size_t f = 0; f < current.fields.size(); ++f)
+    if (covers_surface(field_layout.fields()[f]))
+      join_hanging_nodes(surface.hanging, current.fields[f]);
   if (!elimination.empty() && !elimination.solve(set, current.multipliers, current.fields))
     throw SolveError("The equations of the internal fields (moment) cannot be solved on this shape: a cell is "
                      "degenerate. Refine the mesh, lower its "
@@ -232,6 +237,7 @@ std::vector<NodalChart> SurfaceProblem::charts_here() const
       charts.back().carriers = sheet_carriers;
     apply_conditions(conditions, field.name, charts.back());
     keep_nodes_on_bodies(charts.back());
+    carry_hanging_nodes(surface, charts.back());
   }
   return charts;
 }
@@ -280,6 +286,7 @@ void SurfaceProblem::linearize()
   {
     NodalChart positions = system->numbering().charts[0];
     keep_nodes_on_bodies(positions);
+    carry_hanging_nodes(surface, positions);
     system->set_chart(0, std::move(positions));
   }
   std::vector<double> of_pairs;
@@ -483,9 +490,9 @@ double SurfaceProblem::try_step(const std::vector<double> &direction, const doub
 
 void SurfaceProblem::accept_trial()
 {
-  double largest = 0.;
-  for (std::size_t i = 0; i < trial.fields[0].size(); ++i)
-    largest = std::max(largest, std::abs(trial.fields[0][i] - current.fields[0][i]));
+  double largest = 0.; // of a node, not of a component: when the chart is renewed must not depend on the orientation
+  for (std::size_t I = 0; I < surface.n_nodes; ++I)
+    largest = std::max(largest, norm(vector_at(trial.fields[0], I) - vector_at(current.fields[0], I)));
   moved_in_chart += largest;
   current        = trial;
   current_values = trial_values;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What others ask of a surface problem at its present state.
 #include <pellicle/assembly/edge_frames.h>
+#include <pellicle/discretization/hanging_nodes.h>
 #include <pellicle/models/surface_problem.h>
 
 #include <algorithm>
@@ -37,6 +38,9 @@ SurfaceProblem::NodalForces SurfaceProblem::nodal_forces() const
     for (std::size_t i = 0; i < n; ++i)
       forces.total[i] += of_pairs[i];
   }
+  hand_over_forces(surface.hanging, forces.total);
+  for (NodalVectors &gradient : forces.constraints)
+    hand_over_forces(surface.hanging, gradient);
   return forces;
 }
 
@@ -53,6 +57,7 @@ NodalVectors SurfaceProblem::nodal_forces(const PotentialSet &part, const std::s
                    sum[3 * cell.nodes[i] + c] += element.gradient[(first + c) * cell.n_nodes + i];
              });
   communicator.sum(sum);
+  hand_over_forces(surface.hanging, sum);
   return sum;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pellicle/base/exact_text.h>
 #include <pellicle/models/edge_conditions.h>
 #include <pellicle/models/surface_scene.h>
 
@@ -61,6 +62,14 @@ void OutputParameters::bind(ParameterSection &section)
                "Draw picture.png of the final surface, coloured by mean curvature, if the renderer is installed.");
 }
 
+void CheckpointParameters::bind(ParameterSection &section)
+{
+  section.integer("Every", every, 0, 1000000000,
+                  "Write a checkpoint, from which --restart goes on, after each so many load steps, time steps or "
+                  "points of a branch. 0: never.");
+  section.integer("Keep", keep, 1, 1000, "Number of checkpoints that are kept, the last ones.");
+}
+
 std::vector<ParameterSection> SurfaceScene::sections()
 {
   std::vector<ParameterSection> all;
@@ -73,7 +82,9 @@ std::vector<ParameterSection> SurfaceScene::sections()
   add_section(all, "Continuation", branch);
   add_further_sections(all);
   add_section(all, "Stability", stability);
+  add_section(all, "Accuracy", accuracy);
   add_section(all, "Output", output);
+  add_section(all, "Checkpoint", checkpoint);
   return all;
 }
 
@@ -102,6 +113,8 @@ void SurfaceScene::check() const
   if (is_fixed(load.parameter))
     throw UserError("Load/Parameter = " + load.parameter +
                     " cannot change during a run: it shapes the mesh, the scale or the run itself.");
+  if (accuracy.is_wanted())
+    check_accuracy();
   const PotentialSet set = potentials(Scales{}, targets(Scales{}));
   for (const NamedQuantity &prescribed : set.prescribed)
     for (const Constraint &constraint : set.constraints)
@@ -117,7 +130,8 @@ void SurfaceScene::check() const
 
 bool SurfaceScene::is_fixed(const std::string &parameter) const
 {
-  for (const char *section : {"Mesh/", "Newton/", "Output/", "Stability/", "Continuation/", "Load/"})
+  for (const char *section :
+       {"Mesh/", "Newton/", "Output/", "Checkpoint/", "Stability/", "Continuation/", "Load/", "Accuracy/"})
     if (parameter.rfind(section, 0) == 0)
       return true;
   return false;
@@ -138,6 +152,38 @@ Scales SurfaceScene::scales() const
 NodalConditions SurfaceScene::conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const
 {
   return edge_conditions(surface, targets);
+}
+
+// Coarse, but with cells enough for the shape to be recognised: on six cells a vesicle may find another branch.
+LevelRange SurfaceScene::level_range() const
+{
+  LevelRange range;
+  range.dimension         = mesh.symmetry == "none" ? 2 : 1;
+  const LevelMesh own     = {static_cast<unsigned int>(mesh.degree), static_cast<unsigned int>(mesh.refinements)};
+  range.first.degree      = std::min(own.degree, range.dimension == 1 ? 3u : 2u);
+  range.first.refinements = std::min(own.refinements, 1u);
+  return range;
+}
+
+std::vector<std::pair<std::string, double>> SurfaceScene::level_settings(const LevelMesh &level) const
+{
+  return {{"Mesh/Degree", level.degree}, {"Mesh/Refinements", level.refinements}};
+}
+
+void SurfaceScene::check_accuracy() const
+{
+  const std::string target = "Accuracy/Target = " + exact_text(accuracy.target);
+  if (!branch.parameter.empty())
+    throw UserError(target + " with Continuation/Parameter = " + branch.parameter +
+                    " is not possible: the target is for one equilibrium, a branch has many. Give up one of the two; "
+                    "section Load leads to an equilibrium with the target.");
+  if (motion() != nullptr)
+    throw UserError(target + " with Time/End time is not possible: the target is for an equilibrium. Set one of the "
+                             "two to 0.");
+  for (const std::string &analysis : analyses)
+    if (analysis != "stability")
+      throw UserError(target + " with the analysis '" + analysis +
+                      "' is not possible: the target is for one equilibrium. Set Target to 0.");
 }
 
 SceneTargets SurfaceScene::targets(const Scales &scales) const

@@ -212,6 +212,7 @@ StartShape VesicleScene::start_shape() const
   shape.file           = mesh.file;
   shape.degree         = static_cast<unsigned int>(mesh.degree);
   shape.refinements    = static_cast<unsigned int>(mesh.refinements);
+  shape.cut            = mesh.cut;
   shape.axial          = mesh.is_axial();
   shape.mirror         = mesh.symmetry == "axial mirror";
   if (const auto *domain = find<LipidDomainEffect>())
@@ -312,6 +313,20 @@ SurfaceMeasures VesicleScene::measures(const Scales & /*scales*/) const
       list.push_back({name, length, dimensions::length});
     return list;
   };
+}
+
+std::string VesicleScene::headline_quantity() const
+{
+  return has_effect("helfrich bending") ? "bending_energy" : "total_energy";
+}
+
+// A file brings its own cells, which are many.
+LevelRange VesicleScene::level_range() const
+{
+  LevelRange range = SurfaceScene::level_range();
+  if (!mesh.file.empty())
+    range.first.refinements = 0;
+  return range;
 }
 
 VesicleScene make_vesicle_scene(const EffectLibrary &library, const std::vector<std::string> &effects,

@@ -63,6 +63,34 @@ Json seconds_object(const RunSeconds &seconds, FiniteNumbers &numbers)
   return object;
 }
 
+Json loops_array(const std::vector<CellLoop> &loops)
+{
+  Json array = Json::array();
+  for (const CellLoop &loop : loops)
+  {
+    Json terms = Json::array();
+    for (const LoopTerm &term : loop.terms)
+    {
+      terms.push_back({{"name", term.name}, {"kind", kind_name(term.kind)}, {"fields", term.fields}});
+      if (!term.region.empty())
+        terms.back()["region"] = term.region;
+    }
+    array.push_back({{"over", loop.over}, {"cells", loop.n_cells}, {"points", loop.n_points}, {"terms", terms}});
+  }
+  return array;
+}
+
+Json linear_solver_object(const LinearSolverReport &report, FiniteNumbers &numbers)
+{
+  Json object = {{"name", report.name}};
+  numbers.put(object, "condition_estimate", report.conditioning.condition_estimate, "linear_solver/condition_estimate");
+  numbers.put(object, "smallest_pivot", report.conditioning.smallest_pivot, "linear_solver/smallest_pivot");
+  numbers.put(object, "largest_pivot", report.conditioning.largest_pivot, "linear_solver/largest_pivot");
+  if (report.negative_pivots)
+    object["negative_pivots"] = *report.negative_pivots;
+  return object;
+}
+
 Json stability_object(const StabilityCounts &stability, FiniteNumbers &numbers)
 {
   Json lowest = Json::array();
@@ -110,10 +138,16 @@ std::string summary_text(const RunResult &result)
   Json &unknowns = summary["unknowns"] = {{"total", result.unknowns.total}};
   for (const auto &[name, count] : result.unknowns.blocks)
     unknowns[name] = count;
+  if (result.unknowns.matrix_entries > 0)
+    summary["matrix"] = {{"entries", result.unknowns.matrix_entries}};
+  if (!result.loops.empty())
+    summary["loops"] = loops_array(result.loops);
 
   const bool has_run = result.newton.iterations > 0;
   summary["newton"]  = newton_object(result.newton, has_run, numbers);
   summary["seconds"] = seconds_object(result.seconds, numbers);
+  if (result.linear_solver)
+    summary["linear_solver"] = linear_solver_object(*result.linear_solver, numbers);
   if (result.stability)
     summary["stability"] = stability_object(*result.stability, numbers);
 

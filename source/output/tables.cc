@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 namespace pellicle
 {
@@ -58,15 +60,38 @@ void LineFile::open(const int extra_flags)
 
 void LineFile::append(const std::string &line)
 {
-  const ssize_t written = ::write(descriptor, line.data(), line.size());
-  if (written != static_cast<ssize_t>(line.size()))
-    throw cannot_write(path, written < 0 ? errno : ENOSPC);
+  // One call writes the line, unless there is no room for all of it; the second one then says why.
+  for (std::size_t done = 0; done < line.size();)
+  {
+    const ssize_t n = ::write(descriptor, line.data() + done, line.size() - done);
+    if (n < 0 && errno != EINTR)
+    {
+      const int reason                      = errno;
+      [[maybe_unused]] const int taken_back = ::ftruncate(descriptor, static_cast<off_t>(length));
+      throw cannot_write(path, reason);
+    }
+    done += n > 0 ? static_cast<std::size_t>(n) : 0;
+  }
+  length += line.size();
 }
 
 void LineFile::replace(const std::string &text)
 {
   write_whole_file(path, text);
   open(0);
+  length = text.size();
+}
+
+std::string LineFile::content() const
+{
+  std::ifstream in(path, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (text.size() != length)
+    throw WriteError(
+        "The table '" + path.string() + "' has " + std::to_string(text.size()) + " bytes, and " +
+        std::to_string(length) +
+        " were written to it: somebody else writes to it. Give each run an --output-directory of its own.");
+  return text;
 }
 
 ConvergenceTable::ConvergenceTable(const std::filesystem::path &path)
@@ -80,6 +105,14 @@ void ConvergenceTable::append(const IterationReport &report)
   file.append(csv_line({std::to_string(report.step), std::to_string(report.iteration),
                         number_text(report.relative_residual), number_text(report.step_length),
                         number_text(report.energy), std::to_string(report.rejected), number_text(report.seconds)}));
+}
+
+void ConvergenceTable::exchange(Archive &archive)
+{
+  std::string text = archive.is_reading() ? "" : file.content();
+  archive | text;
+  if (archive.is_reading())
+    file.replace(text);
 }
 
 GrowingTable::GrowingTable(const std::filesystem::path &path)
@@ -109,12 +142,22 @@ void GrowingTable::append(Row row)
   if (columns.size() == n_columns_before)
     file.append(line_of(rows.back()));
   else
-  {
-    std::string text = csv_line(columns);
-    for (const Row &earlier : rows)
-      text += line_of(earlier);
-    file.replace(text);
-  }
+    rewrite();
+}
+
+void GrowingTable::rewrite()
+{
+  std::string text = columns.empty() ? "" : csv_line(columns);
+  for (const Row &row : rows)
+    text += line_of(row);
+  file.replace(text);
+}
+
+void GrowingTable::exchange(Archive &archive)
+{
+  archive | columns | rows;
+  if (archive.is_reading())
+    rewrite();
 }
 
 GrowingTable::Row history_row(const StepReport &report)

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
 #include <pellicle/output/atomic_file.h>
+#include <pellicle/output/run_files.h>
 #include <pellicle/output/vtu.h>
 
 #include <deal.II/base/data_out_base.h>
 
+#include <algorithm>
+#include <fstream>
 #include <iomanip>
+#include <set>
 #include <sstream>
+#include <string>
 #include <tuple>
 
 namespace pellicle
@@ -123,7 +128,12 @@ std::filesystem::path SolutionFiles::write(const SurfaceSample &sample, const in
   const std::filesystem::path path = write_part("solution", sample, 0);
   for (std::size_t b = 0; b < bodies.size(); ++b)
     write_part(bodies[b].name, bodies[b].sample, b + 1);
+  write_index();
+  return path;
+}
 
+void SolutionFiles::write_index() const
+{
   std::ostringstream index;
   index << std::setprecision(16) << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
         << "byte_order=\"LittleEndian\">\n  <Collection>\n";
@@ -132,6 +142,38 @@ std::filesystem::path SolutionFiles::write(const SurfaceSample &sample, const in
           << part.file << "\"/>\n";
   index << "  </Collection>\n</VTKFile>\n";
   write_whole_file(directory / "solution.pvd", index.str());
-  return path;
+}
+
+void SolutionFiles::exchange(Archive &archive, const std::filesystem::path &of_earlier)
+{
+  namespace fs = std::filesystem;
+  archive | parts;
+  if (!archive.is_reading())
+    return;
+  // Whoever has removed a file does not miss it in the index.
+  parts.erase(
+      std::remove_if(parts.begin(), parts.end(), [&](const Part &part) { return !fs::exists(of_earlier / part.file); }),
+      parts.end());
+  std::set<std::string> files;
+  for (const Part &part : parts)
+    files.insert(part.file);
+  remove_solutions(directory, files);
+  if (!fs::equivalent(of_earlier, directory))
+    for (const std::string &file : files)
+    {
+      std::ostringstream content;
+      content << std::ifstream(of_earlier / file, std::ios::binary).rdbuf();
+      write_whole_file(directory / file, content.str());
+    }
+  if (!parts.empty())
+    write_index();
+}
+
+std::filesystem::path SolutionFiles::last() const
+{
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part)
+    if (part->number == 0)
+      return directory / part->file;
+  return {};
 }
 } // namespace pellicle

@@ -9,19 +9,6 @@ namespace pellicle
 {
 namespace
 {
-/** Adds this process's part of -K x. */
-void subtract_product(const SparseMatrix &matrix, const std::vector<double> &x, std::vector<double> &y)
-{
-  for (int i = 0; i < matrix.size; ++i)
-    for (int k = matrix.row_start[i]; k < matrix.row_start[i + 1]; ++k)
-    {
-      const int j = matrix.columns[k];
-      y[i] -= matrix.values[k] * x[j];
-      if (matrix.symmetry == MatrixSymmetry::symmetric && i != j)
-        y[j] -= matrix.values[k] * x[i];
-    }
-}
-
 /** Of the vector b with the first entries of a. */
 double dot(const std::vector<double> &a, const std::vector<double> &b)
 {
@@ -65,7 +52,7 @@ void BorderedSolver::solve(std::vector<double> &right_hand_side) const
 
   const double q = solution.back();
   std::vector<double> correction(solution.size(), 0.);
-  subtract_product(*matrix, solution, correction);
+  add_product(*matrix, -1., solution, correction);
   communicator.sum(correction);
   for (std::size_t i = 0; i < border.column.size(); ++i)
     correction[i] += right_hand_side[i] - q * border.column[i];

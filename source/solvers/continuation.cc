@@ -29,16 +29,19 @@ class BranchWalk
 {
 public:
   BranchWalk(const ContinuationParameters &parameters, BranchStepper &stepper, const double parameter_scale,
-             Observer &observer, const std::function<bool(const BranchPoint &)> &on_point)
+             Observer &observer, const std::function<bool(const BranchPoint &)> &on_point,
+             const Continuation::AfterPoint &after_point)
       : parameters(parameters)
       , stepper(stepper)
       , parameter_scale(parameter_scale)
       , observer(observer)
       , on_point(on_point)
+      , after_point(after_point)
   {
   }
 
   ContinuationResult run(const StartDirection &start);
+  ContinuationResult go_on(const BranchPosition &position);
 
 private:
   /** A state ahead, and how it was found. */
@@ -49,6 +52,10 @@ private:
     bool is_fold = false, at_bound = false;
   };
 
+  /** Reports the point, and whether the run ends there. */
+  bool ends_at(const Next &next);
+  /** To the end, from a point that is reported. */
+  ContinuationResult follow(Next next);
   /** Steps from the base, halving `length` until one succeeds. */
   std::optional<Next> advance();
   std::optional<Next> attempt();
@@ -70,6 +77,7 @@ private:
   const double parameter_scale;
   Observer &observer;
   const std::function<bool(const BranchPoint &)> &on_point;
+  const Continuation::AfterPoint &after_point;
 
   ContinuationResult result;
   double arc_length = 0.;
@@ -92,31 +100,57 @@ ContinuationResult BranchWalk::run(const StartDirection &start)
   if (start.mode.empty())
     rising = first->tangent.parameter > 0.;
 
-  Next next{*first, 0., false, leaves(*first)};
-  for (;;)
+  const Next next{*first, 0., false, leaves(*first)};
+  return ends_at(next) ? result : follow(next);
+}
+
+ContinuationResult BranchWalk::go_on(const BranchPosition &position)
+{
+  result     = position.so_far;
+  arc_length = position.arc_length;
+  length     = position.next_step;
+  rising     = position.rising;
+  Next next;
+  next.state.parameter = position.parameter;
+  next.state.tangent   = position.tangent;
+  return follow(next);
+}
+
+bool BranchWalk::ends_at(const Next &next)
+{
+  if (!report(next))
+    result.end = ContinuationEnd::stopped;
+  else if (next.at_bound)
+    result.end = ContinuationEnd::bound;
+  else if (result.points == parameters.max_points)
+    result.end = ContinuationEnd::points;
+  else
   {
-    if (!report(next))
-      result.end = ContinuationEnd::stopped;
-    else if (next.at_bound)
-      result.end = ContinuationEnd::bound;
-    else if (result.points == parameters.max_points)
-      result.end = ContinuationEnd::points;
-    else
+    if (after_point)
+      after_point({next.state.parameter, next.state.tangent, arc_length, length, rising, result});
+    return false;
+  }
+  return true;
+}
+
+ContinuationResult BranchWalk::follow(Next next)
+{
+  do
+  {
+    stepper.set_base(next.state, result.points);
+    const std::optional<Next> ahead = advance();
+    if (!ahead)
     {
-      stepper.set_base(next.state, result.points);
-      if (const std::optional<Next> ahead = advance())
-      {
-        next = *ahead;
-        continue;
-      }
       result.iterations += stepper.iterations();
       result.failure = "The branch could not be followed beyond the parameter " + exact_text(stepper.base().parameter) +
                        ": steps down to " + exact_text(2. * length) + " failed, the last one because: " + failure +
                        ". Try a smaller Continuation/Smallest step or a finer mesh.";
       stepper.go_back();
+      return result;
     }
-    return result;
-  }
+    next = *ahead;
+  } while (!ends_at(next));
+  return result;
 }
 
 std::optional<BranchWalk::Next> BranchWalk::advance()
@@ -264,7 +298,8 @@ Continuation::Continuation(const ContinuationParameters &parameters, const Newto
 }
 
 ContinuationResult Continuation::run(ParametrisedProblem &problem, const StartDirection &start, Observer &observer,
-                                     const std::function<bool(const BranchPoint &)> &on_point)
+                                     const std::function<bool(const BranchPoint &)> &on_point,
+                                     const AfterPoint &after_point)
 {
   const double p = problem.parameter();
   if (!(p >= parameters.lower && p <= parameters.upper))
@@ -272,6 +307,14 @@ ContinuationResult Continuation::run(ParametrisedProblem &problem, const StartDi
                     " at the start, not between Continuation/Lower = " + exact_text(parameters.lower) +
                     " and Continuation/Upper = " + exact_text(parameters.upper) + ". Widen the bounds.");
   BranchStepper stepper(problem, parameters, newton, solver, timing, observer);
-  return BranchWalk(parameters, stepper, problem.parameter_scale(), observer, on_point).run(start);
+  return BranchWalk(parameters, stepper, problem.parameter_scale(), observer, on_point, after_point).run(start);
+}
+
+ContinuationResult Continuation::go_on(ParametrisedProblem &problem, const BranchPosition &position, Observer &observer,
+                                       const std::function<bool(const BranchPoint &)> &on_point,
+                                       const AfterPoint &after_point)
+{
+  BranchStepper stepper(problem, parameters, newton, solver, timing, observer);
+  return BranchWalk(parameters, stepper, problem.parameter_scale(), observer, on_point, after_point).go_on(position);
 }
 } // namespace pellicle

@@ -22,26 +22,34 @@ void LoadParameters::bind(ParameterSection &section)
                  "Smallest step, as a fraction of the whole way (of a stage), before the run gives up.");
 }
 
-double walk_load(const LoadParameters &parameters, const std::function<bool(double t)> &attempt)
+double walk_load(const LoadParameters &parameters, const std::function<bool(double t)> &attempt,
+                 const LoadPosition from, const std::function<void(const LoadPosition &)> &after_step)
 {
-  if (!attempt(0.))
-    return -1.;
+  LoadPosition at    = from;
   const double first = 1. / parameters.steps;
-  double step = first, t = 0.;
-  while (t < 1.)
+  const auto arrive  = [&](const double t, const double next_step)
+  {
+    at = {t, next_step};
+    if (after_step)
+      after_step(at);
+  };
+  if (at.t < 0.)
+  {
+    if (!attempt(0.))
+      return -1.;
+    arrive(0., first);
+  }
+  while (at.t < 1.)
   {
     // The last step ends at 1 exactly, and no sliver is left behind.
-    const double next = t + step > 1. - 0.01 * first ? 1. : t + step;
+    const double next = at.t + at.next_step > 1. - 0.01 * first ? 1. : at.t + at.next_step;
     if (attempt(next))
-    {
-      t    = next;
-      step = std::min(1.5 * step, 4. * first);
-    }
+      arrive(next, std::min(1.5 * at.next_step, 4. * first));
     else
     {
-      step *= 0.5;
-      if (step < parameters.smallest_step)
-        return t;
+      at.next_step *= 0.5;
+      if (at.next_step < parameters.smallest_step)
+        return at.t;
     }
   }
   return 1.;

@@ -70,6 +70,7 @@ public:
   int &icntl(const int i) { return data.icntl[i - 1]; }
   double &cntl(const int i) { return data.cntl[i - 1]; }
   int infog(const int i) const { return data.infog[i - 1]; }
+  double rinfog(const int i) const { return data.rinfog[i - 1]; }
 
   /** Entries of the pattern, counted from 1; they must stay where they are. */
   void set_pattern(std::vector<int> &rows, std::vector<int> &columns)
@@ -198,6 +199,24 @@ public:
   }
 
   std::optional<Inertia> inertia() const override { return pivots; }
+
+  // The right-hand side A (1, ..., 1) makes the error analysis one of A itself, whatever is solved for.
+  std::optional<Conditioning> conditioning(const SparseMatrix &matrix) const override
+  {
+    PELLICLE_ASSERT(factorised && is_analysed(matrix), "of the matrix that was factorised last");
+    std::vector<double> row_sums(std::size_t(matrix.size), 0.);
+    add_product(matrix, 1., std::vector<double>(std::size_t(matrix.size), 1.), row_sums);
+    MPI_Allreduce(MPI_IN_PLACE, row_sums.data(), matrix.size, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+    mumps->set_values(matrix.values.data());
+    mumps->icntl(11) = 1; // condition numbers, too
+    mumps->data.rhs  = row_sums.data();
+    const int status = mumps->call(MumpsInstance::solve);
+    mumps->icntl(11) = 0;
+    mumps->set_values(nullptr);
+    if (status < 0)
+      fail(*mumps, "error analysis");
+    return Conditioning{std::max(mumps->rinfog(10), mumps->rinfog(11)), mumps->rinfog(19), mumps->rinfog(21)};
+  }
 
   std::string name() const override { return "mumps"; }
 

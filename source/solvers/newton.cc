@@ -59,6 +59,9 @@ void NewtonParameters::bind(ParameterSection &section)
   section.choice("Linear solver", linear_solver, linear_solver_names(),
                  "Direct solver: mumps (LDL^T with inertia, MPI) or umfpack (LU, one process).");
   section.integer("Threads", threads, 1, 256, "Threads of the BLAS in factorisations.");
+  section.flag("Condition estimate", condition_estimate,
+               "Factorise the matrix at each equilibrium once more and report its condition number and its smallest "
+               "pivot (summary.json, linear_solver).");
 }
 
 Newton::Newton(const NewtonParameters &parameters, LinearSolver &solver, Timing &timing)

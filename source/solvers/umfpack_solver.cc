@@ -75,6 +75,7 @@ public:
       throw SolveError(message.str());
     }
     numeric = std::move(factors);
+    pivots  = {info[UMFPACK_UMAX] / info[UMFPACK_UMIN], info[UMFPACK_UMIN], info[UMFPACK_UMAX]};
   }
 
   void solve(std::vector<double> &right_hand_side) const override
@@ -92,6 +93,8 @@ public:
   }
 
   std::optional<Inertia> inertia() const override { return std::nullopt; }
+
+  std::optional<Conditioning> conditioning(const SparseMatrix & /*matrix*/) const override { return pivots; }
 
   std::string name() const override { return "umfpack"; }
 
@@ -127,6 +130,7 @@ private:
   std::vector<double> values; ///< of the expanded pattern; solve() needs them for iterative refinement
   std::unique_ptr<void, FreeSymbolic> symbolic;
   std::unique_ptr<void, FreeNumeric> numeric;
+  Conditioning pivots;
 };
 } // namespace
 

@@ -94,8 +94,12 @@ TEST(CommandLine, MistakesEndWithStatusTwo)
   expect_exit({"scene.prm", "--quiet", "--verbose"}, 2, {"--quiet", "--verbose"});
 }
 
-TEST(CommandLine, RestartIsRefused)
+TEST(CommandLine, RestartNeedsNoScene)
 {
-  expect_exit({"scene.prm", "--restart", "out"}, 2,
-              {"--restart 'out'", "checkpoints are not available in this version"});
+  const CommandLine alone = accepted({"--restart", "out"});
+  EXPECT_EQ(alone.restart_directory, "out");
+  EXPECT_EQ(alone.scene_file, "");
+  EXPECT_EQ(accepted({"scene.prm", "--restart", "out"}).scene_file, "scene.prm");
+  expect_exit({"--restart", "out", "--validate"}, 2, {"--restart", "leave out --validate"});
+  expect_exit({"--restart", ""}, 2, {"--restart ''", "output directory"});
 }

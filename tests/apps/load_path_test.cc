@@ -78,9 +78,11 @@ Outcome run(const bool staged, const std::vector<std::string> &overrides)
   Timing timing;
   SurfaceModel model(*scene, communicator, timing);
   Record record;
+  RunMemory nothing;
   Outcome outcome;
-  outcome.result = solve_scene(file, *scene, model, record,
-                               [&](const SurfaceModel &, int, const double time) { outcome.times.push_back(time); });
+  outcome.result = solve_scene(
+      file, *scene, model, record, [&](const SurfaceModel &, int, const double time) { outcome.times.push_back(time); },
+      nothing);
   outcome.steps  = record.steps;
   outcome.n_rows = record.n_rows;
   return outcome;

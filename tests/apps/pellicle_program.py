@@ -58,10 +58,10 @@ class ProgramTest(unittest.TestCase):
         path.write_text(text, encoding="utf-8")
         return path
 
-    def call(self, *arguments, launcher=(), timeout=300, **environment):
+    def call(self, *arguments, launcher=(), timeout=300, preexec_fn=None, **environment):
         """The program with exactly these arguments."""
         return subprocess.run([*launcher, self.program, *map(str, arguments)], capture_output=True, text=True, timeout=timeout, check=False,
-                              cwd=self.folder, env={**os.environ, **environment})
+                              cwd=self.folder, env={**os.environ, **environment}, preexec_fn=preexec_fn)
 
     def run_scene(self, scene, *assignments, name="run", picture=False, options=(), **keywords):
         """Runs a scene with overrides into the folder `name`. Without a picture unless wanted."""

@@ -128,7 +128,7 @@ class Others(Refusals):
 
     def test_command_lines(self):
         cases = [(["--sett", "x"], ["--sett", "Did you mean '--set'"]), ([PROLATE], ["unexpected argument", "one scene"]),
-                 (["--restart", "run"], ["--restart", "not available"]), (["--quiet", "--verbose"], ["--quiet", "--verbose"])]
+                 (["--restart", "nowhere"], ["--restart 'nowhere'", "no such directory"]), (["--quiet", "--verbose"], ["--quiet", "--verbose"])]
         in_pairs(lambda c: self.refuse(f"line{c[0]}", [PROLATE, *c[1][0]], c[1][1]), list(enumerate(cases)))
 
     def test_two_processes_give_one_message(self):

@@ -127,4 +127,32 @@ TEST(ContactLines, TiesHoldInAllDirections)
       find_rims(sheets.slave, [](const Vector3<double> &) { return std::string("rim"); }).front(), sheets.reference);
   EXPECT_NEAR(fresh.evaluate(x, Order::value).energy - before, first + 0.5 * 5. * length, 1e-12);
 }
+
+// A term that recalls the memory of another one has its energy, with multipliers and all.
+template <typename Term>
+void check_memory(const TwoSheets &sheets, Term &term, Term fresh)
+{
+  NodalVectors moved = sheets.reference;
+  for (std::size_t i = 2; i < moved.size(); i += 3)
+    moved[i] += 0.01 * std::sin(static_cast<double>(i));
+  const double without = fresh.evaluate(moved, Order::value).energy;
+  term.evaluate(sheets.reference, Order::value);
+  term.augment();
+  term.evaluate(sheets.reference, Order::value);
+  fresh.recall(term.memory());
+  EXPECT_EQ(fresh.memory(), term.memory());
+  const double energy = term.evaluate(moved, Order::value).energy;
+  EXPECT_EQ(fresh.evaluate(moved, Order::value).energy, energy);
+  EXPECT_NE(energy, without);
+}
+
+TEST(ContactLines, MemoryLivesOn)
+{
+  const TwoSheets sheets = rim_on_bump(2);
+  ContactPairs pairs(rim_points(sheets), sheets.master_cells(), both_sides(7.), "line");
+  check_memory(sheets, pairs, ContactPairs(rim_points(sheets), sheets.master_cells(), both_sides(7.), "line"));
+  ContactTies ties(rim_points(sheets), sheets.master_cells(), sheets.reference, 5., {0.5, 0.5}, "tied line");
+  check_memory(sheets, ties,
+               ContactTies(rim_points(sheets), sheets.master_cells(), sheets.reference, 5., {0.5, 0.5}, "tied line"));
+}
 } // namespace

@@ -157,4 +157,26 @@ TEST(ExpressionOfPlace, MistakesAreNamed)
   EXPECT_USER_ERROR(ExpressionOfPlace f("sqrt(-1)*x"), "'sqrt(-1)*x'", "not real");
   EXPECT_USER_ERROR(ExpressionOfPlace f("u+x", 1., 1., {"u", "v"}), "function of u and v", "'x' is not understood");
 }
+
+// Texts whose derivatives would need more time or memory than there is.
+TEST(ExpressionOfPlace, WhatGrowsWithoutBoundIsRefused)
+{
+  const auto repeated = [](const std::string &text, const unsigned int n)
+  {
+    std::string all;
+    for (unsigned int i = 0; i < n; ++i)
+      all += text;
+    return all;
+  };
+  EXPECT_USER_ERROR(ExpressionOfPlace f("9^9^9^9"), "'9^9^9^9'", "no finite real value");
+  EXPECT_USER_ERROR(ExpressionOfPlace f("(9*x)^999999999"), "'(9*x)^999999999'");
+  EXPECT_USER_ERROR(ExpressionOfPlace f(repeated("(", 200) + "x" + repeated(")", 200)), "nested more than 100 deep");
+  EXPECT_USER_ERROR(ExpressionOfPlace f(repeated("-", 200) + "x"), "nested more than 100 deep");
+  EXPECT_USER_ERROR(ExpressionOfPlace f(repeated("x+", 3000) + "y"), "6001 characters", "5000");
+  EXPECT_USER_ERROR(ExpressionOfPlace f(repeated("sin(", 60) + "x" + repeated(")", 60)), "third order", "too long");
+  std::string product = "x";
+  for (unsigned int i = 1; i < 60; ++i)
+    product += "*sin(" + std::to_string(i) + "*y)";
+  EXPECT_USER_ERROR(ExpressionOfPlace f(product), "third order", "too long");
+}
 } // namespace

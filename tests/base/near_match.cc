@@ -51,3 +51,10 @@ TEST(NearMatch, SuggestionIsASentence)
   EXPECT_EQ(suggestion("zzz", {"a1", "b1", "c1"}), " Possible: 'a1', 'b1', 'c1'.");
   EXPECT_EQ(suggestion("zzz", {}), "");
 }
+
+// A word of the length of a file: the table of distances would have 1e10 entries.
+TEST(NearMatch, WordsOfOtherLengthsAreNotCompared)
+{
+  EXPECT_EQ(near_matches(std::string(100000, 'x'), {"pressure", std::string(50000, 'x')}).size(), 1u);
+  EXPECT_TRUE(near_matches(std::string(100000, 'x'), {"pressure", std::string(50000, 'y')}).empty());
+}

@@ -115,3 +115,17 @@ TEST(SceneFile, MalformedOverrides)
   for (const char *argument : {"M/F=a#b", "M/F=a\nb", "M/F=a\\"})
     expect_user_error([&] { apply_overrides(scene, {argument}); }, {"--set \"M/F=a", "cannot hold '#'"});
 }
+
+// What is no scene at all is refused before it fills the memory, and without printing it.
+TEST(SceneFile, WhatIsNoScene)
+{
+  expect_user_error([] { scan_scene(std::string("set A = 1\n\0", 11), "a.vtu"); }, {"a.vtu", "zero bytes"});
+  expect_user_error([] { scan_scene("\x1b[2J", "a.prm"); }, {"a.prm:1: cannot understand '?[2J'"});
+  expect_user_error([] { read_scene_file("/dev/zero"); }, {"'/dev/zero' is no scene file", "more than 4000000"});
+  std::string nested;
+  for (unsigned int i = 0; i < 9; ++i)
+    nested += "subsection A\n";
+  expect_user_error([&] { scan_scene(nested, "a.prm"); }, {"a.prm:9", "nested more than 8 deep"});
+  expect_user_error([] { scan_scene("subsection " + std::string(201, 'a'), "a.prm"); },
+                    {"a.prm:1", std::string(197, 'a') + "...'", "more than 200 characters"});
+}

@@ -39,3 +39,12 @@ TEST(Text, ExactTextIsShort)
   EXPECT_EQ(exact_text(std::numeric_limits<double>::infinity()), "inf");
   EXPECT_EQ(exact_text(1. / 3.), "0.3333333333333333");
 }
+
+TEST(Text, ExcerptsAreShortAndPlain)
+{
+  EXPECT_EQ(excerpt("4*pi"), "4*pi");
+  EXPECT_EQ(excerpt("a\tb\x1b\x7f"), "a?b??");
+  EXPECT_EQ(excerpt("\xc3\xa4"), "\xc3\xa4");
+  EXPECT_EQ(excerpt(std::string(200, 'a')), std::string(200, 'a'));
+  EXPECT_EQ(excerpt(std::string(201, 'a')), std::string(197, 'a') + "...");
+}

@@ -165,4 +165,10 @@ TEST(Orientation, ProjectivePlaneIsRefused)
   PolygonMesh mesh = projective_plane();
   EXPECT_USER_ERROR(orient_closed_surface(mesh), "not orientable");
 }
+
+TEST(MshReader, WhatIsNoTextIsRefused)
+{
+  EXPECT_USER_ERROR(read_msh("/dev/zero"), "/dev/zero:1", "line of more than 999999 characters");
+  EXPECT_USER_ERROR(read_msh(testing::TempDir()), "is a directory");
+}
 } // namespace

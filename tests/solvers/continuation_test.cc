@@ -143,6 +143,59 @@ TEST(Continuation, GoesRoundACircle)
 
 // Displacements that weigh little (the second scale) make sharp folds; next to one, Newton's method is led astray to
 // the part of the branch that has snapped through.
+// From each of its points in turn, off and at folds: the same points, to the last bit.
+TEST(Continuation, GoesOnAsIfItHadNotStopped)
+{
+  BranchProblem problem(circle(), {1.}, 0.);
+  Branch branch;
+  branch.parameters.max_points = 12;
+  std::vector<BranchPosition> positions;
+  std::vector<Vector> states;
+  std::vector<BranchPoint> points;
+  const auto note = [&](const BranchPoint &point)
+  {
+    points.push_back(point);
+    return true;
+  };
+  const ContinuationResult whole = Continuation(branch.parameters, branch.newton, *branch.solver, branch.timing)
+                                       .run(problem, StartDirection::decreasing(), branch.record, note,
+                                            [&](const BranchPosition &position)
+                                            {
+                                              positions.push_back(position);
+                                              states.push_back(problem.x);
+                                            });
+  ASSERT_EQ(whole.end, ContinuationEnd::points) << whole.failure;
+  ASSERT_GE(whole.folds, 1);
+  const std::vector<BranchPoint> all = points;
+  ASSERT_EQ(all.size(), 12u);
+  ASSERT_EQ(positions.size(), 11u); // the last point is the end
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    Archive out;
+    out | positions[i];
+    Archive in(out.content());
+    BranchPosition position;
+    in | position;
+    BranchProblem again(circle(), states[i], position.parameter);
+    points.clear();
+    const ContinuationResult rest =
+        Continuation(branch.parameters, branch.newton, *make_linear_solver("mumps"), branch.timing)
+            .go_on(again, position, branch.record, note);
+    ASSERT_EQ(points.size(), all.size() - i - 1);
+    for (std::size_t j = 0; j < points.size(); ++j)
+    {
+      EXPECT_EQ(points[j].parameter, all[i + 1 + j].parameter);
+      EXPECT_EQ(points[j].arc_length, all[i + 1 + j].arc_length);
+      EXPECT_EQ(points[j].is_fold, all[i + 1 + j].is_fold);
+    }
+    EXPECT_EQ(again.x, problem.x);
+    EXPECT_EQ(rest.points, whole.points);
+    EXPECT_EQ(rest.folds, whole.folds);
+    EXPECT_EQ(rest.iterations, whole.iterations);
+    EXPECT_EQ(rest.rejected_steps, whole.rejected_steps);
+  }
+}
+
 TEST(Continuation, FindsTheLimitLoadsOfATruss)
 {
   for (const double h : {0.3, 0.003})

@@ -88,4 +88,35 @@ TEST(LoadStepping, FailsAtOnceWithoutAStart)
   EXPECT_LT(w.reached, 0.);
   EXPECT_EQ(w.tried, std::vector<double>{0.});
 }
+
+TEST(LoadStepping, GoesOnFromWhereItWas)
+{
+  LoadParameters parameters;
+  parameters.steps    = 5;
+  const auto possible = [](const double t) { return t < 0.5 || t - 0.5 < 0.06 || t > 0.7; }; // a hard stretch
+  std::vector<double> tried;
+  std::vector<LoadPosition> positions;
+  std::vector<std::size_t> n_tried;
+  const auto attempt = [&](const double t)
+  {
+    tried.push_back(t);
+    return possible(t);
+  };
+  const double end = walk_load(parameters, attempt, {},
+                               [&](const LoadPosition &position)
+                               {
+                                 positions.push_back(position);
+                                 n_tried.push_back(tried.size());
+                               });
+  EXPECT_EQ(positions.front().t, 0.);
+  EXPECT_EQ(positions.back().t, end);
+  const std::vector<double> whole = tried;
+  ASSERT_GT(whole.size(), positions.size()); // some failed
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    tried.clear();
+    EXPECT_EQ(walk_load(parameters, attempt, positions[i]), end);
+    EXPECT_EQ(tried, std::vector<double>(whole.begin() + static_cast<std::ptrdiff_t>(n_tried[i]), whole.end()));
+  }
+}
 } // namespace

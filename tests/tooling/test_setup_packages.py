@@ -26,7 +26,7 @@ exec "$@"
 
 
 class SetupPackages(unittest.TestCase):
-    def run_script(self, missing="", apt_fails="never"):
+    def run_script(self, *options, missing="", apt_fails="never"):
         """Exit status, output and the calls of apt-get."""
         with tempfile.TemporaryDirectory() as folder:
             for name, text in (("dpkg-query", DPKG_QUERY), ("apt-get", APT_GET), ("sudo", SUDO)):
@@ -36,7 +36,7 @@ class SetupPackages(unittest.TestCase):
             log = Path(folder) / "log"
             log.touch()
             environment = dict(os.environ, PATH=f"{folder}:{os.environ['PATH']}", LOG=str(log), MISSING=missing, APT_FAILS=apt_fails)
-            run = subprocess.run([SCRIPT], env=environment, capture_output=True, text=True, check=False)
+            run = subprocess.run([SCRIPT, *options], env=environment, capture_output=True, text=True, check=False)
             return run.returncode, run.stdout + run.stderr, log.read_text(encoding="utf-8").splitlines()
 
     def test_nothing_is_done_twice(self):
@@ -49,6 +49,11 @@ class SetupPackages(unittest.TestCase):
         self.assertEqual(len(calls), 2)
         self.assertTrue(calls[0].endswith(" update"), calls[0])
         self.assertTrue(calls[1].endswith(" install --yes --no-install-recommends libcli11-dev xvfb"), calls[1])
+
+    def test_compilers_of_fuzzers_only_for_the_long_tests(self):
+        self.assertEqual(self.run_script(missing="clang-14")[2], [])
+        calls = self.run_script("--long", missing="clang-14")[2]
+        self.assertTrue(calls[-1].endswith(" clang-14"), calls)
 
     def test_failure_is_passed_on(self):
         self.assertNotEqual(self.run_script(missing="xvfb", apt_fails="update")[0], 0)

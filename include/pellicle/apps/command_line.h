@@ -12,11 +12,12 @@ namespace pellicle
 /** What the command line of an application asks for. */
 struct CommandLine
 {
-  std::string scene_file;             ///< empty only with write_parameters_file
+  std::string scene_file;             ///< empty only with write_parameters_file or restart_directory
   std::string write_parameters_file;  ///< empty: do not write parameters
   bool validate = false;              ///< read and build, do not solve
   std::vector<std::string> overrides; ///< arguments of --set, "Section/Name=value", in their order
   std::string output_directory;       ///< empty: the scene or the application decides
+  std::string restart_directory;      ///< of the run to go on with; empty: a new run
   Verbosity verbosity = Verbosity::normal;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pellicle/apps/command_line.h>
+#include <pellicle/apps/run_memory.h>
 #include <pellicle/apps/surface_application.h>
 #include <pellicle/base/scene.h>
 #include <pellicle/base/scene_text.h>
@@ -17,8 +18,10 @@ namespace pellicle
 class SurfaceSceneFile
 {
 public:
-  /** Reads file and overrides; a relative Mesh/File counts from the scene's folder. Throws UserError. */
-  SurfaceSceneFile(const SurfaceApplication &application, const CommandLine &command_line);
+  /** Reads file and overrides; a relative Mesh/File counts from the scene's folder. Throws UserError.
+   * `earlier_text`: used_text() of the run that goes on, which takes the place of a scene file that is not given. */
+  SurfaceSceneFile(const SurfaceApplication &application, const CommandLine &command_line,
+                   const std::string &earlier_text = "");
 
   /** The parameter structs as the scene stands now, checked. */
   std::unique_ptr<SurfaceScene> read();
@@ -49,7 +52,11 @@ std::string commented_scene_of(const SurfaceApplication &application);
  */
 std::unique_ptr<SurfaceScene> scene_at_start_of_load(SurfaceSceneFile &file, const LoadParameters &load);
 
-/** What summary.json says of scene and model whatever the analysis: effects, mesh, unknowns, stability. */
+/** Entries that a matrix has in both triangles, whether both are stored or one. */
+std::size_t n_entries(const SparseMatrix &matrix);
+
+/** What summary.json says of scene and model whatever the analysis: effects, mesh, loops, unknowns,
+ * stability. */
 void describe(const SurfaceScene &scene, const SurfaceModel &model, RunResult &result);
 
 /** Called after every equilibrium: step, value of the stepped parameter (the step's number without load stepping). */
@@ -66,10 +73,15 @@ public:
   const SolutionSink &sink;
 };
 
+/** Solves a scene at once from the model's present state, as if it had no load path. Returns what solve_scene() does.
+ */
+RunResult solve_here(SurfaceSceneFile &file, const SurfaceScene &scene, SurfaceModel &model, Observer &observer,
+                     const SolutionSink &sink);
+
 /**
  * Solves a scene, load steps included. Returns everything that summary.json says but the seconds of output; never
  * throws for a solve that failed.
  */
 RunResult solve_scene(SurfaceSceneFile &file, const SurfaceScene &first, SurfaceModel &model, Observer &observer,
-                      const SolutionSink &sink);
+                      const SolutionSink &sink, RunMemory &memory);
 } // namespace pellicle

@@ -10,5 +10,6 @@ namespace pellicle
  * the column `time`. Returns everything that summary.json says but the seconds of output; never throws for a motion
  * that failed.
  */
-RunResult run_in_time(const SurfaceScene &scene, SurfaceModel &model, Observer &observer, const SolutionSink &sink);
+RunResult run_in_time(const SurfaceScene &scene, SurfaceModel &model, Observer &observer, const SolutionSink &sink,
+                      RunMemory &memory);
 } // namespace pellicle

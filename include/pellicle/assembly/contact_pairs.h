@@ -92,6 +92,9 @@ public:
   MultiplierChange pending() const override;
   /** p <- t */
   MultiplierChange augment() override;
+  /** Multipliers, and numbers of the partners' cells: among equally near ones the last one stays. */
+  std::vector<double> memory() const override;
+  void recall(const std::vector<double> &memory) override;
 
   /** [cell * n_gauss + q], as last evaluated; only those of this process are kept up to date. */
   const std::vector<ContactPoint> &points() const { return states; }

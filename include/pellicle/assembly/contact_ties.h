@@ -50,6 +50,9 @@ public:
   MultiplierChange pending() const override;
   /** f <- f - eps g */
   MultiplierChange augment() override;
+  /** Multipliers. */
+  std::vector<double> memory() const override;
+  void recall(const std::vector<double> &memory) override;
   /** Nodes of the cells that are tied, on both sides. */
   std::vector<std::size_t> material_nodes() const override;
 

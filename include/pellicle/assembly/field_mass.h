@@ -6,7 +6,8 @@
 namespace pellicle
 {
 /**
- * L2 mass of changes of a field in a chart, u^T M u = integral of |sum_I N_I Z_I u_I|^2 dA, for its own unknowns; rows
+ * L2 mass of changes of a field in a chart, u^T M u = integral of |sum_I N_I Z_I u_I|^2 dA, Z with the shares of
+ * nodes that are carried, for its own unknowns; rows
  * of all other unknowns are zero. Symmetric, lower triangle, of the size of the whole numbering; complete on every
  * process.
  */

@@ -40,6 +40,10 @@ public:
   virtual MultiplierChange pending() const = 0;
   /** Takes the tractions of the last evaluation as multipliers; returns what was pending. */
   virtual MultiplierChange augment() = 0;
+  /** What lives on from one load step to the next, point by point; zero for points of other processes. */
+  virtual std::vector<double> memory() const = 0;
+  /** Takes over the memory of all points. */
+  virtual void recall(const std::vector<double> &memory) = 0;
   /** Nodes on which it acts tangentially, so that a chart must leave them all directions. */
   virtual std::vector<std::size_t> material_nodes() const { return {}; }
 };

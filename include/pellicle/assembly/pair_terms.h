@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pellicle/assembly/pair_term.h>
+#include <pellicle/base/archive.h>
 
 #include <memory>
 #include <vector>
@@ -26,6 +27,9 @@ public:
   /** Augments all terms at these positions if one of them would change by more than the tolerance; returns whether it
    * did. */
   bool augment(const NodalVectors &positions, double tolerance);
+
+  /** The memories of all terms. All processes write and read together. */
+  void exchange(Archive &archive);
 
 private:
   std::vector<std::shared_ptr<PairTerm>> list;

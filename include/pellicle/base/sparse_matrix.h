@@ -24,4 +24,7 @@ struct SparseMatrix
   std::vector<int> columns;
   std::vector<double> values;
 };
+
+/** y += factor * A x, A this process's part. */
+void add_product(const SparseMatrix &matrix, double factor, const std::vector<double> &x, std::vector<double> &y);
 } // namespace pellicle

@@ -9,6 +9,9 @@ namespace pellicle
 /** Without white space at both ends. */
 std::string trimmed(const std::string &text);
 
+/** A text of the user's as a message shows it: at most 200 characters of it, and '?' for control characters. */
+std::string excerpt(const std::string &text);
+
 /** ASCII letters in lower case. */
 std::string lower_case(std::string text);
 

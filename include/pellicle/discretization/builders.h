@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/discretization/refinement.h>
 #include <pellicle/discretization/smooth_shape.h>
 #include <pellicle/discretization/surface_discretization.h>
 
 namespace pellicle
 {
+// Numbers of cells are those of uniform refinement, r times.
+
 /**
  * Nodes on a smooth closed shape by way of the cube projected on the sphere: 6 * 4^r cells. Vertices are middles of
  * great circles, refinement after refinement; the other nodes of a cell are spherical means of its own vertices, so
@@ -13,15 +16,16 @@ namespace pellicle
  * leading order, which curvature of order k needs (a map that is smooth over a whole face of the cube loses half an
  * order, for its normal errors do not cancel at the cube's edges).
  */
-SurfaceDiscretization on_cube_sphere(const SmoothShape &shape, unsigned int degree, unsigned int refinements);
+SurfaceDiscretization on_cube_sphere(const SmoothShape &shape, unsigned int degree, const Refinement &refinement);
 
 /** Meridian of an axisymmetric shape: 4 * 2^r cells of equal polar angle of the sphere, from pole to pole; with
  * `mirror` 2 * 2^r, from the north pole to z = 0. */
-SurfaceDiscretization on_meridian(const SmoothShape &shape, unsigned int degree, unsigned int refinements, bool mirror);
+SurfaceDiscretization on_meridian(const SmoothShape &shape, unsigned int degree, const Refinement &refinement,
+                                  bool mirror);
 
 /** Torus about z of area 4 pi^2 R r: 4 * 2^r cells round the tube, and as many the long way as make them about square.
  * Throws UserError unless R/r > 1. */
-SurfaceDiscretization torus(double ratio, double area, unsigned int degree, unsigned int refinements);
+SurfaceDiscretization torus(double ratio, double area, unsigned int degree, const Refinement &refinement);
 
 /**
  * Spherical cap of the given area, pole up, rim in z = 0 and named "rim"; `angle` is the polar angle of the rim, in (0,
@@ -31,18 +35,18 @@ SurfaceDiscretization torus(double ratio, double area, unsigned int degree, unsi
  * With `growth` > 0 cells are smaller towards the rim: their size grows with the polar distance from it as
  * 1 + growth (distance in radians).
  */
-SurfaceDiscretization cap(double angle, double area, unsigned int degree, unsigned int refinements, bool axial,
+SurfaceDiscretization cap(double angle, double area, unsigned int degree, const Refinement &refinement, bool axial,
                           double growth = 0.);
 
 /** The limit of a cap for angle 0: flat disc in z = 0, n = e_z. */
-SurfaceDiscretization disc(double area, unsigned int degree, unsigned int refinements, bool axial);
+SurfaceDiscretization disc(double area, unsigned int degree, const Refinement &refinement, bool axial);
 
 /**
  * Circular cylinder about z, centred on the origin, n radially outward; `ratio` is length over radius. Rims: "upper
  * rim", "lower rim". Meridian: 2 * 2^r cells from the top down; surface: at least 4 * 2^r around and about square.
  * Throws UserError unless 1e-3 < ratio < 1e3.
  */
-SurfaceDiscretization tube(double ratio, double area, unsigned int degree, unsigned int refinements, bool axial);
+SurfaceDiscretization tube(double ratio, double area, unsigned int degree, const Refinement &refinement, bool axial);
 
 /** Flat ring in z = 0, and the cells on it. Lengths are absolute. */
 struct AnnulusShape
@@ -60,7 +64,7 @@ struct AnnulusShape
  * geometric progression; a meridian runs from tip to ring. Throws UserError for radii out of order, too few cells, and
  * smallest cells that are larger than equal ones or ask for neighbours that differ by more than a factor of 3.
  */
-SurfaceDiscretization annulus(const AnnulusShape &ring, unsigned int degree, unsigned int refinements, bool axial);
+SurfaceDiscretization annulus(const AnnulusShape &ring, unsigned int degree, const Refinement &refinement, bool axial);
 
 /** Flat disc about the origin with two circular holes, centred on (distance/2, 0) and (-distance/2, 0). */
 struct DiscWithTwoHoles
@@ -76,7 +80,8 @@ struct DiscWithTwoHoles
  * or to the line x = 0; both halves have 6 * 2^r cells along a ray and 16 * 2^r around the hole. Throws UserError for
  * holes that touch each other or the rim.
  */
-SurfaceDiscretization disc_with_two_holes(const DiscWithTwoHoles &disc, unsigned int degree, unsigned int refinements);
+SurfaceDiscretization disc_with_two_holes(const DiscWithTwoHoles &disc, unsigned int degree,
+                                          const Refinement &refinement);
 
 /**
  * A closed shape whose part around the north pole of the sphere that it is a map of, z > 0, is region "domain" with the
@@ -88,9 +93,10 @@ SurfaceDiscretization disc_with_two_holes(const DiscWithTwoHoles &disc, unsigned
  * Throws UserError unless 0 < area_fraction < 1.
  */
 SurfaceDiscretization with_polar_region(const SmoothShape &shape, double area_fraction, unsigned int degree,
-                                        unsigned int refinements, bool axial);
+                                        const Refinement &refinement, bool axial);
 
 /** Facets of a Gmsh file, oriented, rounded, each cut into 4^r cells, scaled so that the rounded surface has the given
  * area. */
-SurfaceDiscretization from_file(const std::string &file, double area, unsigned int degree, unsigned int refinements);
+SurfaceDiscretization from_file(const std::string &file, double area, unsigned int degree,
+                                const Refinement &refinement);
 } // namespace pellicle

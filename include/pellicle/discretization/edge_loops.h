@@ -7,6 +7,9 @@
 
 namespace pellicle
 {
+/** Node i of a side of a cell, in the direction that has the cell on its left. */
+std::size_t side_node(const SurfaceDiscretization &surface, const CellSide &side, std::size_t i);
+
 /** A circle about the z axis, at the first or last node of a cell of a meridian; the surface (the region) is the cell's
  * side of it. */
 EdgeLoop circle_loop(const SurfaceDiscretization &meridian, const std::string &name, std::size_t cell,

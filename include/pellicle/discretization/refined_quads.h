@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/discretization/refinement.h>
 #include <pellicle/discretization/surface_discretization.h>
 
 #include <functional>
@@ -10,17 +11,18 @@ namespace pellicle
 /** Four vertices of a quadrilateral, lexicographic: (0,0), (1,0), (0,1), (1,1) on the unit cell. */
 using QuadVertices = std::array<unsigned int, 4>;
 
-/** Where a node lies: local coordinates in [-1, 1]^2 of a coarse quadrilateral. */
+/** Where a node of a cell lies: local coordinates in [-1, 1]^2 of a coarse quadrilateral. */
 struct PatchPoint
 {
   unsigned int patch = 0;
   double xi          = 0.;
   double eta         = 0.;
+  CellPlace cell     = {}; ///< the cell's
 };
 
 /**
- * Coarse quadrilaterals ("patches") of a surface, each cut into 4^r cells of degree k, with all nodes numbered
- * across patches. Pure topology: where the nodes are in space is up to the map given to place_nodes().
+ * Coarse quadrilaterals ("patches") of a surface, each cut into 4^r cells of degree k or more, with all nodes
+ * numbered across patches. Pure topology: where the nodes are in space is up to the map given to place_nodes().
  */
 struct RefinedQuads
 {
@@ -31,6 +33,7 @@ struct RefinedQuads
   std::vector<std::size_t> cell_nodes; ///< lexicographic in a cell, as in SurfaceDiscretization
   std::vector<CellPlace> cell_places;
   std::vector<PatchPoint> cell_sites; ///< of every entry of cell_nodes; exactly antisymmetric about the patch's centre
+  std::vector<HangingNode> hanging;
 };
 
 /**
@@ -45,13 +48,17 @@ std::vector<QuadVertices> with_consistent_edges(const std::vector<QuadVertices> 
  *
  * Vertices are needed for their connectivity only. The quadrilaterals must cover an orientable surface, closed
  * or with rims, and be oriented alike; this is asserted, not diagnosed (see orient_closed_surface() for meshes that
- * come from users). Throws UserError beyond a million cells.
+ * come from users). Neighbours differ in size by a factor of two at most, also those that share a vertex only, so that
+ * nothing hangs on a hanging node. Throws UserError beyond a million cells.
+ *
+ * @param regions  one number per quadrilateral, or none: at lines between regions, and so on them, no node hangs.
  */
 RefinedQuads refine_quads(const std::vector<Vector3<double>> &vertices, const std::vector<QuadVertices> &quads,
-                          unsigned int refinements, unsigned int degree);
+                          const Refinement &refinement, unsigned int degree,
+                          const std::vector<unsigned int> &regions = {});
 
-/** Discretization with Gauss tables and six rigid motions, whose node at site s is point(s). `point` must be continuous
- * across patches. */
+/** Discretization with Gauss tables and six rigid motions, whose node at site s is point(s), but for hanging ones,
+ * which lie on their neighbours. `point` must be continuous across patches. */
 SurfaceDiscretization place_nodes(const RefinedQuads &mesh, unsigned int degree,
                                   const std::function<Vector3<double>(const PatchPoint &)> &point);
 

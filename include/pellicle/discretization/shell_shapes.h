@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/discretization/refinement.h>
 #include <pellicle/discretization/surface_discretization.h>
 
 #include <string>
@@ -19,13 +20,13 @@ namespace pellicle
  */
 struct ShellShape
 {
-  std::string name         = "hemisphere";
-  double radius            = 1.;
-  double length            = 1.;
-  double width             = 1.;
-  double angle             = 0.; ///< radians
-  unsigned int degree      = 3;
-  unsigned int refinements = 2;
+  std::string name      = "hemisphere";
+  double radius         = 1.;
+  double length         = 1.;
+  double width          = 1.;
+  double angle          = 0.; ///< radians
+  unsigned int degree   = 3;
+  Refinement refinement = 2;
 };
 
 /** Names of the shapes. */

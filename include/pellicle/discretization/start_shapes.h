@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pellicle/base/constants.h>
+#include <pellicle/discretization/refinement.h>
 #include <pellicle/discretization/surface_discretization.h>
 
 #include <functional>
@@ -32,8 +33,11 @@ struct StartShape
 
   unsigned int degree      = 3;
   unsigned int refinements = 2;
-  bool axial               = false; ///< a meridian instead of a surface
-  bool mirror              = false; ///< axial only: half a meridian, mirror plane z = 0
+  std::vector<CellPlace> cut; ///< further; see Refinement
+  bool axial  = false;        ///< a meridian instead of a surface
+  bool mirror = false;        ///< axial only: half a meridian, mirror plane z = 0
+
+  Refinement refinement() const { return {refinements, cut}; }
 };
 
 /** The closed ones: prolate, oblate, stomatocyte, ellipsoid, biconcave, torus, file. */

@@ -3,6 +3,7 @@
 
 #include <pellicle/assembly/field_layout.h>
 #include <pellicle/assembly/nodal_conditions.h>
+#include <pellicle/base/archive.h>
 #include <pellicle/potentials/effect.h>
 
 #include <string>
@@ -37,10 +38,15 @@ public:
   virtual void place(FieldValues & /*fields*/) const {}
   /** Whether the scene's rigid motions still cost no energy with these statuses, so that they must be a gauge. */
   virtual bool leaves_rigid_motions() const { return true; }
+  /** Takes over the statuses of an equilibrium that was found on another mesh, as far as they follow from its fields on
+   * this one. False: they do not, since they remember the path that led there, which has to be walked anew. */
+  virtual bool take_over(const FieldValues & /*fields*/) { return false; }
   /** New statuses at the problem's present equilibrium; returns how many nodes changed theirs. Throws SolveError if no
    * statuses can fulfil the inequalities. */
   virtual std::size_t update(const SurfaceProblem &problem) = 0;
   /** What the statuses tell about a solve that failed, for its message; empty: nothing. */
   virtual std::string about_failure() const { return ""; }
+  /** All that lives on from one load step to the next. */
+  virtual void exchange(Archive &archive) = 0;
 };
 } // namespace pellicle

@@ -33,6 +33,7 @@ public:
   {
     return pairs->augment(problem.state().fields[0], tolerance) ? 1 : 0;
   }
+  void exchange(Archive &archive) override { pairs->exchange(archive); }
 
 private:
   std::shared_ptr<PairTerms> pairs;

@@ -47,6 +47,7 @@ public:
   std::vector<SceneEdge> edges() const override;
   NodalConditions conditions(const SurfaceDiscretization &surface, const SceneTargets &targets) const override;
   SurfaceMeasures measures(const Scales &scales) const override;
+  std::string headline_quantity() const override { return "total_energy"; }
   void add_references(const SurfaceDiscretization &start, SceneTargets &targets) const override;
   const TimeParameters *motion() const override { return time.end_time > 0. ? &time : nullptr; }
 

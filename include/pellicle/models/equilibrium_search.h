@@ -43,6 +43,10 @@ public:
   /** The same in the charts that lead downhill: normal graph with drag, then polished. */
   bool descend();
 
+  /** One undamped Newton step in the chart that comes first, for states close to equilibrium. False, and the state is
+   * what it was, if the step would go beyond Newton/Step limit or to where the surface makes no sense. */
+  bool take_one_step();
+
   /** Of the last solve; iterations and rejected trials of all of them. */
   const StepResult &result() const { return outcome; }
   /** Makes the search a failure for a reason that lies outside it. */
@@ -57,6 +61,7 @@ private:
   bool in_charts(const std::string &charts);
   bool iterate(PositionChart chart, int max_iterations);
   void polish();
+  bool from_faired_start(const SurfaceState &start);
   bool approach(const std::vector<std::size_t> &distant);
 
   const NewtonParameters &newton;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/archive.h>
 #include <pellicle/models/surface_model.h>
 
 #include <optional>
@@ -18,6 +19,11 @@ namespace pellicle
 class JumpDetector
 {
 public:
+  /** Disagreement of the trapezoidal rule with the change of energy, relative to that change, that counts as a jump: it
+   * is better than `usual` on steps that a branch allows, and jumps are worse; on a long step a jump may be small
+   * beside the rest. So a step that Newton's method found hard has to be `close`. */
+  static constexpr double usual = 0.2, close = 0.03;
+
   explicit JumpDetector(std::string parameter)
       : parameter(std::move(parameter))
   {
@@ -25,9 +31,10 @@ public:
 
   /** Whether the model, now at an equilibrium with the value p, is on another branch than at the last accepted state.
    */
-  bool has_jumped(const SurfaceModel &model, const SurfaceScene &scene, double p) const;
+  bool has_jumped(const SurfaceModel &model, const SurfaceScene &scene, double p, double tolerance = usual) const;
   /** Takes the model's state as the one to compare with. */
   void accept(const SurfaceModel &model, const SurfaceScene &scene, double p);
+  void exchange(Archive &archive) { archive | parameter | last; }
 
 private:
   struct State

@@ -41,6 +41,7 @@ public:
   bool leaves_rigid_motions() const override;
   std::size_t update(const SurfaceProblem &problem) override;
   std::string about_failure() const override;
+  void exchange(Archive &archive) override;
 
   using Counts = LineSlip::Counts;
   Counts counts() const { return slip.counts(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/archive.h>
 #include <pellicle/discretization/surface_discretization.h>
 #include <pellicle/potentials/wetting/line_friction.h>
 
@@ -70,6 +71,8 @@ public:
   Counts counts() const;
   /** Of a pulled line for which no equilibrium was found: that the drop slides, if nodes slip; else empty. */
   std::string about_sliding() const;
+  /** Statuses, and what slipping has cost. */
+  void exchange(Archive &archive);
 
 private:
   struct Node

@@ -38,6 +38,7 @@ public:
   void add_potentials(PotentialSet &set) const override;
   std::size_t update(const SurfaceProblem &problem) override;
   std::string about_failure() const override;
+  void exchange(Archive &archive) override;
 
   LineSlip::Counts counts() const { return slip.counts(); }
 

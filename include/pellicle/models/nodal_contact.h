@@ -28,9 +28,12 @@ public:
   const std::string &name() const override;
   void take(const SceneTargets &targets) override;
   void add_conditions(NodalConditions &conditions) const override;
+  /** Nodes that touch a body there are active. */
+  bool take_over(const FieldValues &fields) override;
   std::size_t update(const SurfaceProblem &problem) override;
   /** Which bodies are touched, and by how many nodes. */
   std::string about_failure() const override;
+  void exchange(Archive &archive) override;
 
   std::size_t n_active() const;
   /** Whether a node touches the given body now. */
@@ -38,6 +41,8 @@ public:
 
 private:
   static constexpr int none = -1;
+  void find_touching(const NodalVectors &positions);
+
   std::vector<std::shared_ptr<const RigidBody>> bodies;
   std::vector<bool> exempt;
   std::vector<int> touched; ///< number of the body, by node

@@ -83,6 +83,9 @@ public:
   std::vector<std::unique_ptr<ActiveSet>> active_sets(const SurfaceDiscretization &surface,
                                                       const SceneTargets &targets) const override;
   SurfaceMeasures measures(const Scales &scales) const override;
+  std::string headline_quantity() const override { return "ridge_radius"; }
+  LevelRange level_range() const override;
+  std::vector<std::pair<std::string, double>> level_settings(const LevelMesh &mesh) const override;
   void add_references(const SurfaceDiscretization &start, SceneTargets &targets) const override;
 
 protected:

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/assembly/cell_loops.h>
+#include <pellicle/base/archive.h>
+#include <pellicle/solvers/linear_solver.h>
+
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -24,6 +28,8 @@ struct UnknownCounts
 {
   std::size_t total = 0;
   std::vector<std::pair<std::string, std::size_t>> blocks; ///< name of the block, number of its unknowns
+  /** Of the matrix that the first process holds, both triangles; 0: nothing has been solved. */
+  std::size_t matrix_entries = 0;
 };
 
 /** What Newton's method did in the whole run. */
@@ -51,9 +57,22 @@ struct StabilityCounts
   std::vector<double> lowest; ///< in the user's units, ascending
 };
 
+/** The matrix of the last equilibrium, when that was asked for. */
+struct LinearSolverReport
+{
+  std::string name;
+  Conditioning conditioning;
+  std::optional<int> negative_pivots; ///< of a symmetric factorisation
+
+  void exchange(Archive &archive) { archive | name | conditioning | negative_pivots; }
+};
+
 /** Everything that summary.json says about a run. */
 struct RunResult
 {
+  /** What has come together on the way; the rest is known at the end only. */
+  void exchange(Archive &archive) { archive | status | message | warnings | newton | quantities; }
+
   std::string application;
   RunStatus status = RunStatus::failed;
   std::string message; ///< what failed and what to try; empty after a converged run
@@ -62,9 +81,11 @@ struct RunResult
   std::vector<std::string> warnings;
   std::size_t n_cells = 0; ///< of the surface (ridge: of the bulk)
   unsigned int degree = 0;
+  std::vector<CellLoop> loops; ///< what the assembler visits for the listed effects
   UnknownCounts unknowns;
   NewtonCounts newton;
   RunSeconds seconds;
+  std::optional<LinearSolverReport> linear_solver;        ///< when asked for
   std::optional<StabilityCounts> stability;               ///< when analysed
   std::vector<std::pair<std::string, double>> quantities; ///< name, value in the user's units
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/archive.h>
 #include <pellicle/base/parameters.h>
 #include <pellicle/models/surface_problem.h>
 #include <pellicle/solvers/linear_solver.h>
@@ -35,6 +36,8 @@ struct Stability
   std::vector<NodalVectors> modes; ///< nodal displacements that belong to `lowest`, largest component positive
   std::size_t field = 0;           ///< whose changes the modes are
   std::string failure;             ///< why there are no eigenvalues, if they were asked for and not found
+
+  void exchange(Archive &archive) { archive | negative_eigenvalues | lowest | modes | field | failure; }
 };
 
 /**

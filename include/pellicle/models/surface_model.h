@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/archive.h>
 #include <pellicle/base/observer.h>
 #include <pellicle/base/timing.h>
 #include <pellicle/models/equilibrium_search.h>
+#include <pellicle/models/run_result.h>
 #include <pellicle/models/shape_measures.h>
 #include <pellicle/models/surface_motion.h>
 #include <pellicle/models/surface_sample.h>
@@ -38,6 +40,17 @@ public:
   /** Takes over the numbers of a scene with the same effects and mesh: a load step. */
   void update(const SurfaceScene &scene);
 
+  /**
+   * Starts from the equilibrium of a model of the same scene on another mesh; see transferred_state(). This model is as
+   * it was built, but for updates. False, and nothing has happened, if the meshes have no places in common or if the
+   * scene's inequalities remember more than the state. Throws SolveError where the state makes no sense on this mesh.
+   */
+  bool start_from(const SurfaceModel &solved);
+
+  /** One undamped Newton step towards an equilibrium that is near, with the active sets as they are. False, and the
+   * state is what it was, if the equilibrium is not near. */
+  bool take_one_step();
+
   /** Newton from the present state, in the charts that the scene asks for; then, if the scene lists it, the stability
    * of the equilibrium, and downhill where it is unstable and the scene wants that. On failure the state before the
    * call is restored. */
@@ -51,6 +64,13 @@ public:
   /** The motion that was begun; null: none. */
   const SurfaceMotion *motion() const { return current_motion.get(); }
 
+  /** The state at the end of a step, with all that lives on to the next one: a model of the same scene that reads it
+   * goes on as this one would, to the last bit. Before reading update() has set the parameters of that step. Throws
+   * ArchiveMismatch if it is of another mesh or list of effects. */
+  void exchange(Archive &archive);
+  /** The same for a motion, which comes after the model's state: one that is read goes on from there. */
+  void exchange_motion(const TimeParameters &time, Archive &archive);
+
   /** The scene with another value of a parameter. May throw UserError. */
   using SceneAt = std::function<std::unique_ptr<SurfaceScene>(double)>;
 
@@ -60,16 +80,54 @@ public:
     BranchPoint point;
     std::optional<int> negative_eigenvalues;
   };
+  /** The last state of a branch off a bifurcation. */
+  struct PlaceOnBranch
+  {
+    SurfaceState state;
+    double parameter         = 0.;
+    int negative_eigenvalues = 0;
+
+    void exchange(Archive &archive) { archive | state | parameter | negative_eigenvalues; }
+  };
+  /** How far a branch has been followed: with the model's state at that point it can be followed further. */
+  struct BranchProgress
+  {
+    BranchPosition position;
+    double scale = 1.; ///< of the parameter
+    NodalVectors mesh_reference;
+    std::optional<int> count; ///< of negative eigenvalues at the last point that tells
+    PlaceOnBranch before;
+    bool has_switched = false;        ///< onto a crossing branch
+    ContinuationResult before_switch; ///< of the branch until then
+
+    void exchange(Archive &archive)
+    {
+      archive | position | scale | mesh_reference | count | before | has_switched | before_switch;
+    }
+  };
+  /** Of a branch that can be taken up again. */
+  struct BranchMemory
+  {
+    const BranchProgress *from = nullptr;                            ///< null: from the model's equilibrium
+    std::function<void(const BranchProgress &progress)> after_point; ///< called after each point but the last one
+  };
 
   /**
    * Follows the branch of equilibria through the present one, along a parameter whose value is now `value`, as the
    * scene's section Continuation says.
    *
    * @param on_point  called at every point of the branch, with the model at that state.
+   * @param memory    where an earlier run stopped, with the model at that state; points before it are not made again.
    * Throws UserError if no listed effect knows the derivative with respect to the parameter.
    */
   ContinuationResult follow_branch(const BranchParameters &branch, double value, const SceneAt &scene_at,
-                                   Observer &observer, const std::function<void(const PointOnBranch &)> &on_point);
+                                   Observer &observer, const std::function<void(const PointOnBranch &)> &on_point,
+                                   const BranchMemory &memory);
+  ContinuationResult follow_branch(const BranchParameters &branch, const double value, const SceneAt &scene_at,
+                                   Observer &observer, const std::function<void(const PointOnBranch &)> &on_point)
+  {
+    return follow_branch(branch, value, scene_at, observer, on_point, {});
+  }
 
   /** The potential that is stationary at an equilibrium: energies and penalties; and its derivative with respect to a
    * parameter of the scene, at the equilibrium (none if no listed effect knows it). Internal units, parameters in the
@@ -86,6 +144,9 @@ public:
   /** Stability of the last equilibrium that was found; none if the scene does not list it or the solver cannot tell.
    * Internal units. */
   const std::optional<Stability> &stability() const { return last_stability; }
+
+  /** Of the matrix of the last equilibrium that was found, without drag; none if the scene does not ask for it. */
+  const std::optional<LinearSolverReport> &linear_solver() const { return last_linear_solver; }
 
   /** Reported quantities in the user's units, in the order of the documentation. */
   std::vector<std::pair<std::string, double>> quantities() const;
@@ -143,14 +204,12 @@ private:
   /** Equilibria in turn with updates of the active sets, until no status changes. */
   bool settle_active_sets(EquilibriumSearch &search);
   void apply_active_sets();
+  /** Positions whose metric the mesh energy prefers, for a solve that begins now. */
+  NodalVectors mesh_reference() const;
   void count_unknowns();
+  /** Of the matrix at the equilibrium that was found last; `search` takes what goes wrong as a warning. */
+  void look_at_matrix(EquilibriumSearch &search);
 
-  struct PlaceOnBranch
-  {
-    SurfaceState state;
-    double parameter         = 0.;
-    int negative_eigenvalues = 0;
-  };
   /** Between two places with different numbers of unstable modes, the model being at the second one: goes to where an
    * eigenvalue is zero, and returns those there. Throws SolveError. */
   Stability go_to_bifurcation(SurfaceBranch &along, const PlaceOnBranch &before, const PlaceOnBranch &after);
@@ -178,6 +237,7 @@ private:
   StabilityParameters stability_parameters;
   bool analyses_stability = false;
   std::optional<Stability> last_stability;
+  std::optional<LinearSolverReport> last_linear_solver;
   std::vector<std::pair<std::string, std::size_t>> last_unknown_counts;
 };
 } // namespace pellicle

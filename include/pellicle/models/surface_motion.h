@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/archive.h>
 #include <pellicle/base/observer.h>
 #include <pellicle/models/equilibrium_search.h>
 #include <pellicle/models/surface_problem.h>
@@ -41,10 +42,13 @@ public:
   /** Energy dissipated per unit of time at the present time; internal units. */
   double dissipation() const { return power; }
   const EnergyBalance &balance() const { return books; }
+  /** Writes what make_motion() needs, beside the problem's state, to go on. */
+  virtual void write(Archive &archive) { exchange(archive); }
 
 protected:
-  /** Settles what has no friction, within an instant. Throws SolveError. */
-  SurfaceMotion(const MotionSetting &setting, double interval);
+  /** Settles what has no friction, within an instant: throws SolveError. Or goes on as an archive says. */
+  SurfaceMotion(const MotionSetting &setting, double interval, Archive *earlier);
+  void exchange(Archive &archive) { archive | now | power | books; }
   /** The minimum over a step: false, at the state before, if Newton's method fails (`result` says why). */
   bool solve_step(double length, int step, Observer &observer, StepResult &result);
 
@@ -62,6 +66,10 @@ void check_material_points(const PotentialSet &set, bool is_held);
  * The motion that section Time asks for. Throws UserError where nothing dissipates, where material points are not
  * defined (a free surface on which no energy holds the points), or where the integrator cannot be used; SolveError if
  * nothing balances the state at time 0.
+ *
+ * @param earlier  of a motion that goes on from the problem's state, what SurfaceMotion::write() wrote; null: it
+ * begins.
  */
-std::unique_ptr<SurfaceMotion> make_motion(const TimeParameters &time, const MotionSetting &setting);
+std::unique_ptr<SurfaceMotion> make_motion(const TimeParameters &time, const MotionSetting &setting,
+                                           Archive *earlier = nullptr);
 } // namespace pellicle

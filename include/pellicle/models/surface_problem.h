@@ -4,6 +4,7 @@
 #include <pellicle/assembly/assembler.h>
 #include <pellicle/assembly/bordered_system.h>
 #include <pellicle/assembly/pair_terms.h>
+#include <pellicle/base/archive.h>
 #include <pellicle/models/internal_elimination.h>
 #include <pellicle/solvers/equilibrium_problem.h>
 
@@ -24,6 +25,8 @@ struct SurfaceState
    * balances that. Without it there would be no solution, but for shapes with enough symmetry.
    */
   std::vector<double> rigid_reactions;
+
+  void exchange(Archive &archive) { archive | fields | multipliers | rigid_reactions; }
 };
 
 /** How the position's tangential freedom is fixed; nodes of bodies, and those that a pair term holds tangentially, move
@@ -86,6 +89,9 @@ public:
   const SurfaceState &state() const { return current; }
   /** Takes over a state and eliminates the internal fields. Throws SolveError if that fails. */
   void set_state(SurfaceState state);
+  /** State, values and chart to the last bit: what is read is taken as it is, not solved for. The potentials and the
+   * conditions are those it was written with. Throws ArchiveMismatch if it is of another mesh or list. */
+  void exchange(Archive &archive);
 
   /** From the present state a time step of that length begins: until the next one, equilibrium means that energies +
    * length * D((y - y_old)/length) are stationary, D the listed dissipation potentials. */

@@ -4,8 +4,10 @@
 #include <pellicle/assembly/nodal_conditions.h>
 #include <pellicle/assembly/pair_term.h>
 #include <pellicle/base/parameters.h>
+#include <pellicle/discretization/refinement.h>
 #include <pellicle/discretization/surface_discretization.h>
 #include <pellicle/discretization/symmetric_part.h>
+#include <pellicle/models/accuracy.h>
 #include <pellicle/models/active_set.h>
 #include <pellicle/models/stability.h>
 #include <pellicle/models/surface_sample.h>
@@ -20,6 +22,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pellicle
@@ -33,7 +36,10 @@ struct MeshParameters
   int refinements      = 2;
   std::string symmetry = "none";
   std::string file;
+  /** Cells that are cut further, see Refinement: of a run that adapts its mesh, not of the scene. */
+  std::vector<CellPlace> cut;
 
+  Refinement refinement() const { return {static_cast<unsigned int>(refinements), cut}; }
   void bind(ParameterSection &section);
   bool is_axial() const { return symmetry == "axial" || symmetry == "axial mirror"; }
   /** The planes between which only a part of the surface is meshed. */
@@ -58,6 +64,15 @@ struct OutputParameters
 {
   bool solution = true;
   bool picture  = true;
+
+  void bind(ParameterSection &section);
+};
+
+/** Section "Checkpoint". */
+struct CheckpointParameters
+{
+  int every = 0; ///< steps; 0: never
+  int keep  = 2;
 
   void bind(ParameterSection &section);
 };
@@ -98,7 +113,9 @@ public:
   NewtonParameters newton;
   StabilityParameters stability;
   BranchParameters branch;
+  AccuracyParameters accuracy;
   OutputParameters output;
+  CheckpointParameters checkpoint;
   std::vector<std::unique_ptr<Effect>> effects;
   std::vector<std::string> analyses;
 
@@ -133,6 +150,12 @@ public:
    * moves the centroid there. */
   virtual bool has_origin() const { return false; }
   virtual NodeNoise node_noise() const { return {}; }
+  /** Name of the reported quantity whose error Accuracy/Target bounds. */
+  virtual std::string headline_quantity() const { return "total_energy"; }
+  /** The meshes that a run to an accuracy goes through: from a coarse one, but none finer than the scene's own. */
+  virtual LevelRange level_range() const;
+  /** What makes one of them: parameters of the scene, as Section/Name, and their values. */
+  virtual std::vector<std::pair<std::string, double>> level_settings(const LevelMesh &mesh) const;
   /** How the scene moves in time; null: it does not, an equilibrium is looked for. */
   virtual const TimeParameters *motion() const { return nullptr; }
   /** Nodal positions, in the user's units, at which elastic skins are free of stress; none: the start shape. */
@@ -192,6 +215,9 @@ protected:
   virtual void set_targets(const Scales &scales, SceneTargets &targets) const = 0;
   /** Whether the parameter shapes mesh or scale, so that it cannot change during a run. */
   virtual bool is_fixed(const std::string &parameter) const;
+
+private:
+  void check_accuracy() const;
 };
 
 /** Binds parameters as a further section. */

@@ -70,6 +70,8 @@ public:
   std::map<std::string, std::vector<Vector3<double>>> rim_conormals(const SurfaceDiscretization &start) const override;
   std::vector<SceneEdge> edges() const override;
   SurfaceMeasures measures(const Scales &scales) const override;
+  std::string headline_quantity() const override;
+  LevelRange level_range() const override;
 
 protected:
   void add_own_sections(std::vector<ParameterSection> &all) override;

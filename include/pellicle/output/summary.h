@@ -13,8 +13,8 @@ const char *status_name(RunStatus status);
 
 /**
  * The text of summary.json: UTF-8, keys in the documented order, numbers that read back to the same value. JSON has no
- * nan and no infinity: a number that is not finite is left out and named in "warnings". "message" and "stability"
- * appear when there are any.
+ * nan and no infinity: a number that is not finite is left out and named in "warnings". "message", "matrix", "loops",
+ * "linear_solver" and "stability" appear when there are any.
  */
 std::string summary_text(const RunResult &result);
 

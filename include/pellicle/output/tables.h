@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/archive.h>
 #include <pellicle/base/observer.h>
 
 #include <cstddef>
@@ -32,16 +33,20 @@ public:
   LineFile(const LineFile &)            = delete;
   LineFile &operator=(const LineFile &) = delete;
 
-  /** Appends one line that ends in a line feed. Throws UserError when the file takes no more. */
+  /** Appends one line that ends in a line feed. Throws WriteError when the file takes no more; it then ends with the
+   * line before. */
   void append(const std::string &line);
   /** Replaces the whole content at once; appending goes on behind it. */
   void replace(const std::string &text);
+  /** All lines so far. Throws WriteError if the file is not what was written to it. */
+  std::string content() const;
 
 private:
   void open(int extra_flags);
 
   std::filesystem::path path;
-  int descriptor = -1;
+  int descriptor     = -1;
+  std::size_t length = 0;
 };
 
 /** `convergence.csv`: one row per accepted Newton iteration. */
@@ -50,6 +55,8 @@ class ConvergenceTable
 public:
   explicit ConvergenceTable(const std::filesystem::path &path);
   void append(const IterationReport &report);
+  /** The rows; those that are read take the place of what is in the file. */
+  void exchange(Archive &archive);
 
 private:
   LineFile file;
@@ -67,9 +74,12 @@ public:
 
   explicit GrowingTable(const std::filesystem::path &path);
   void append(Row row);
+  /** The rows; those that are read take the place of what is in the file. */
+  void exchange(Archive &archive);
 
 private:
   std::string line_of(const Row &row) const;
+  void rewrite();
 
   LineFile file;
   std::vector<std::string> columns;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/archive.h>
 #include <pellicle/models/surface_sample.h>
 
 #include <filesystem>
@@ -33,13 +34,23 @@ public:
   std::filesystem::path write(const SurfaceSample &sample, int step, double time,
                               const std::vector<NamedSample> &bodies = {});
 
+  /** The list of files. One that is read is that of an earlier run into the directory `of_earlier`: its files are taken
+   * from there, others of such names are removed, and the index is written anew. */
+  void exchange(Archive &archive, const std::filesystem::path &of_earlier);
+  /** The last surface; empty if there is none. */
+  std::filesystem::path last() const;
+
 private:
+  void write_index() const;
+
   std::filesystem::path directory;
   struct Part
   {
-    double time;
-    std::size_t number;
+    double time        = 0.;
+    std::size_t number = 0;
     std::string file;
+
+    void exchange(Archive &archive) { archive | time | number | file; }
   };
   std::vector<Part> parts;
 };

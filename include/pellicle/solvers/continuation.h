@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <pellicle/base/archive.h>
 #include <pellicle/base/observer.h>
 #include <pellicle/base/parameters.h>
 #include <pellicle/base/timing.h>
+#include <pellicle/solvers/arc_length_problem.h>
 #include <pellicle/solvers/linear_solver.h>
 #include <pellicle/solvers/newton.h>
 #include <pellicle/solvers/parametrised_problem.h>
@@ -80,6 +82,24 @@ struct ContinuationResult
   int iterations      = 0;
   int rejected_steps  = 0;
   std::string failure; ///< why it stopped, if it failed
+
+  void exchange(Archive &archive) { archive | end | points | folds | iterations | rejected_steps | failure; }
+};
+
+/** What a run needs, beside the problem's state at its last point, to go on from there. */
+struct BranchPosition
+{
+  double parameter = 0.;
+  Tangent tangent; ///< ahead, of length one
+  double arc_length = 0.;
+  double next_step  = 0.;
+  std::optional<bool> rising; ///< whether the parameter rises ahead; no value at a start along a mode
+  ContinuationResult so_far;
+
+  void exchange(Archive &archive)
+  {
+    archive | parameter | tangent.direction | tangent.parameter | arc_length | next_step | rising | so_far;
+  }
 };
 
 /**
@@ -99,6 +119,9 @@ struct ContinuationResult
 class Continuation
 {
 public:
+  /** Called after each point, while the problem is there, unless the run ends with it. */
+  using AfterPoint = std::function<void(const BranchPosition &position)>;
+
   /** Keeps references to the parameters, which must outlive it. Newton's initial drag and maximum of iterations are not
    * used. */
   Continuation(const ContinuationParameters &parameters, const NewtonParameters &newton, LinearSolver &solver,
@@ -115,7 +138,13 @@ public:
    * Throws UserError if the present parameter is not in [lower, upper].
    */
   ContinuationResult run(ParametrisedProblem &problem, const StartDirection &start, Observer &observer,
-                         const std::function<bool(const BranchPoint &)> &on_point);
+                         const std::function<bool(const BranchPoint &)> &on_point, const AfterPoint &after_point = {});
+
+  /** Goes on from a point of an earlier run, whose state the problem has taken up. What an uninterrupted run reports
+   * from there on, and its result, are the same. */
+  ContinuationResult go_on(ParametrisedProblem &problem, const BranchPosition &position, Observer &observer,
+                           const std::function<bool(const BranchPoint &)> &on_point,
+                           const AfterPoint &after_point = {});
 
 private:
   const ContinuationParameters &parameters;

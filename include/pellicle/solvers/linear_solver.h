@@ -18,6 +18,17 @@ struct Inertia
   int zero     = 0;
 };
 
+/** How near to singular a factorised matrix is. */
+struct Conditioning
+{
+  /** mumps: of the componentwise condition number | |A^-1| |A| |x| | / |x| for x = (1, ..., 1), maximum norm (Arioli,
+   * Demmel and Duff, SIAM J. Matrix Anal. Appl. 10, 1989): relative errors of entries grow by so much. It does not
+   * depend on the scaling of the rows. umfpack: the largest over the smallest pivot. */
+  double condition_estimate = 0.;
+  double smallest_pivot     = 0.; ///< absolute values, of the matrix as the solver scales it (entries of order one)
+  double largest_pivot      = 0.;
+};
+
 /**
  * Direct solver for sparse systems. The symbolic analysis is made at the first factorisation and kept while the pattern
  * stays the same (same size, same number of entries, same row_start and columns); a new pattern is analysed anew.
@@ -36,6 +47,10 @@ public:
 
   /** Signs of the pivots, where the solver knows them (LDL^T of a symmetric matrix). */
   virtual std::optional<Inertia> inertia() const = 0;
+
+  /** Of the last factorisation, that of the given matrix, at the price of a few solutions; none where the solver cannot
+   * tell. */
+  virtual std::optional<Conditioning> conditioning(const SparseMatrix & /*matrix*/) const { return std::nullopt; }
 
   virtual std::string name() const = 0;
 };

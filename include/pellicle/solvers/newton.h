@@ -23,6 +23,7 @@ struct NewtonParameters
   std::string mesh_reference = "start shape";
   std::string linear_solver  = "mumps";
   int threads                = 1;
+  bool condition_estimate    = false;
 
   void bind(ParameterSection &section);
 };
