@@ -8,6 +8,8 @@
 #include <pellicle/models/headline.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -17,6 +19,7 @@ namespace
 {
 /** Of all errors, in the cells that an adaptive run cuts together. */
 constexpr double share_of_worst = 0.7;
+constexpr double longest_step   = 1e-2; ///< internal units: beyond it one step of Newton's method is not believed
 
 class AccuracyRun
 {
@@ -67,6 +70,7 @@ private:
     return record;
   }
 
+  double absolute_target() const { return std::max(parameters.target, LevelTable::round_off) * table.unit_of_errors(); }
   bool is_met() const { return table.relative_error() <= parameters.target; }
   bool is_done() const { return is_met() || table.relative_error() <= LevelTable::round_off || !reason.empty(); }
 
@@ -99,20 +103,53 @@ private:
     return is_solved ? std::move(next) : nullptr;
   }
 
-  /** On a mesh to which the level's state was carried over: one step of Newton's method there shows the level's error.
-   * If that is too large, the new level is solved. */
+  /**
+   * On a mesh to which the level's state was carried over. One step of Newton's method there tells whether the level's
+   * error is small enough; the estimate then is off by the square of the step's length. If it is not, or if the step is
+   * long, the new level is solved, and what it is tells the error.
+   */
   bool is_improved(Level &next)
   {
     const double seen       = headline_near(*next.model, quantity);
-    const bool is_near      = next.model->take_one_step();
-    const bool is_estimated = is_near || is_solved(next);
-    const double relaxed    = headline_near(*next.model, quantity);
-    table.set_error(is_estimated ? estimate_from({seen - table.levels().back().value, relaxed - seen}, table.errors())
-                                 : expected_error(table.errors()));
-    if (is_done() || (is_near && !is_solved(next)))
+    const double length     = length_of_step(next);
+    const bool is_estimated = length <= longest_step && estimate_of(next, seen) <= absolute_target();
+    if (!is_estimated && !is_solved(next))
+    {
+      table.set_error(std::isfinite(length) ? estimate_of(next, seen) : expected_error(table.errors()));
+      return false;
+    }
+    table.set_error(estimate_of(next, seen));
+    if (is_done())
       return false;
     table.add(record_of(next));
     return true;
+  }
+
+  /** Of the level before: from its value, that of its state on the next mesh, and that of the next one's state. Where
+   * it was made by cutting some cells the errors of the others remain, and the next cut need not find them: then half
+   * of the change that it has brought counts as well. */
+  double estimate_of(const Level &next, const double seen) const
+  {
+    const std::vector<LevelRecord> &levels = table.levels();
+    const LevelRecord &last                = levels.back();
+    const double estimate =
+        estimate_from({seen - last.value, headline_near(*next.model, quantity) - seen}, table.errors());
+    if (levels.size() < 2 || last.mesh.cut.size() == levels[levels.size() - 2].mesh.cut.size())
+      return estimate;
+    return std::max(estimate, 0.5 * std::abs(last.value - levels[levels.size() - 2].value));
+  }
+
+  /** Takes a step of Newton's method; the largest change of a coordinate, internal units. Infinite: none was taken. */
+  static double length_of_step(Level &level)
+  {
+    const NodalVectors before = level.model->equilibrium().state().fields[0];
+    if (!level.model->take_one_step())
+      return std::numeric_limits<double>::infinity();
+    const NodalVectors &after = level.model->equilibrium().state().fields[0];
+    double largest            = 0.;
+    for (std::size_t i = 0; i < before.size(); ++i)
+      largest = std::max(largest, std::abs(after[i] - before[i]));
+    return largest;
   }
 
   bool is_solved(Level &level)

@@ -44,7 +44,12 @@ double LevelTable::relative_error() const
 
 double LevelTable::relative(const double error) const
 {
-  return std::max(round_off, error / std::max(std::abs(records.back().value), unit));
+  return std::max(round_off, error / unit_of_errors());
+}
+
+double LevelTable::unit_of_errors() const
+{
+  return std::max(std::abs(records.back().value), unit);
 }
 
 void LevelTable::set_error(const double error)

@@ -30,6 +30,8 @@ public:
   std::vector<double> values() const;
   /** To the last level's value; round_off at least. */
   double relative(double error) const;
+  /** What absolute errors are compared with: the last level's value. */
+  double unit_of_errors() const;
   /** Of the last level, relative; infinite while there is no estimate. */
   double relative_error() const;
 

@@ -158,7 +158,7 @@ NodalConditions SurfaceScene::conditions(const SurfaceDiscretization &surface, c
 LevelRange SurfaceScene::level_range() const
 {
   LevelRange range;
-  range.dimension         = mesh.symmetry == "none" ? 2 : 1;
+  range.dimension         = mesh.is_axial() ? 1 : 2;
   const LevelMesh own     = {static_cast<unsigned int>(mesh.degree), static_cast<unsigned int>(mesh.refinements)};
   range.first.degree      = std::min(own.degree, range.dimension == 1 ? 3u : 2u);
   range.first.refinements = std::min(own.refinements, 1u);

@@ -29,8 +29,7 @@ TEST(ErrorEstimate, GeometricSequencesAreEstimatedExactly)
     for (std::size_t i = 1; i < estimates.size(); ++i)
     {
       const double error = std::abs(values[i] - 1.);
-      if (r > 0.)
-        EXPECT_NEAR(estimates[i] / error, 1., 1e-6) << r;
+      EXPECT_NEAR(estimates[i] / error, r > 0. ? 1. : (1. - r) / (1. + r), 1e-6) << r;
       EXPECT_GT(5. * estimates[i], error);
       EXPECT_LT(estimates[i], 5. * error);
     }

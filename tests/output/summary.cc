@@ -76,6 +76,19 @@ TEST(Summary, ListsLoopsAndMatrix)
   EXPECT_EQ(summary["loops"].dump(2), expected.dump(2));
 }
 
+TEST(Summary, HoldsTheConditioningThatWasAskedFor)
+{
+  RunResult result     = example();
+  result.linear_solver = LinearSolverReport{"mumps", {1e6, 0.25, 4.}, 3};
+  const Json summary   = Json::parse(summary_text(result));
+  const Json expected  = {{"name", "mumps"},
+                          {"condition_estimate", 1e6},
+                          {"smallest_pivot", 0.25},
+                          {"largest_pivot", 4.},
+                          {"negative_pivots", 3}};
+  EXPECT_EQ(summary["linear_solver"].dump(), expected.dump());
+}
+
 TEST(Summary, NamesStatusAndMessage)
 {
   RunResult result = example();
