@@ -68,7 +68,7 @@ def main():
     parser.add_argument("--bin", default=ROOT / "build/release/bin", type=Path, help="folder of the applications (build/release/bin)")
     parser.add_argument("--document", type=Path, help="document whose table is renewed; without it the table is printed")
     parser.add_argument("--effects", nargs="+", metavar="EFFECT", help="these alone; for looking, not for the document")
-    parser.add_argument("--repeats", type=int, default=3, help="runs of each scene (3)")
+    parser.add_argument("--repeats", type=int, default=2, help="runs of each scene (2)")
     options = parser.parse_args()
     scenes, rows, failures = Scenes(options.bin), [], 0
     for pair in PAIRS:

@@ -12,7 +12,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-ENOUGH_SECONDS = 2.0  # a setting is repeated until all its runs together took that long
+ENOUGH_SECONDS = 1.2  # a setting is repeated until all its runs together took that long
 LONGEST_RUN = 150.0
 
 

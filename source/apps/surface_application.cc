@@ -191,6 +191,10 @@ int run_surface_application(int argc, char **argv, const SurfaceApplication &app
   {
     return end_with(2, error.what());
   }
+  catch (const SolveError &error) // before the first solve, whose errors are results
+  {
+    return end_with(1, std::string("the scene is not solved: ") + error.what());
+  }
   catch (const std::exception &error)
   {
     return end_with(1, std::string("stopped by an error that should not happen: ") + error.what());

@@ -89,40 +89,52 @@ void BorderedSystem::make_pattern()
   const int n_nodal = static_cast<int>(unknowns.n_nodal), n = static_cast<int>(unknowns.size());
   sparse.size = n;
 
-  std::vector<std::vector<int>> rows(n_nodal);
-  const auto couple = [&]
+  // Unknowns of every cell and coupling, and which of these an unknown belongs to.
+  std::vector<std::vector<int>> groups;
+  std::vector<std::vector<std::size_t>> groups_of(n_nodal);
+  const auto add_group = [&]
   {
     for (const int i : cell_list)
-      for (const int j : cell_list)
-        if (!lower || j <= i)
-          rows[i].push_back(j);
+      groups_of[i].push_back(groups.size());
+    groups.push_back(cell_list);
   };
   for (const Cell &cell : cells)
   {
     cell_unknowns(cell, unknowns.n_fields());
-    couple();
+    add_group();
   }
   for (const std::vector<std::size_t> &nodes : couplings)
   {
     cell_unknowns({0, 0, 0, nodes.data(), nodes.size()}, 1);
-    couple();
+    add_group();
   }
   sparse.columns.clear();
   scatter_start.clear();
   scatter.clear();
   sparse.row_start.assign(1, 0);
   diagonal.assign(n, -1);
+  std::vector<int> row, last_row(n_nodal, -1); // in which a column was met last
+  const auto add_column = [&](const int i, const int j)
+  {
+    if (last_row[j] == i || (lower && j > i))
+      return;
+    last_row[j] = i;
+    row.push_back(j);
+  };
   for (int i = 0; i < n; ++i)
   {
     if (i < n_nodal)
     {
-      rows[i].push_back(i);
-      std::sort(rows[i].begin(), rows[i].end());
-      rows[i].erase(std::unique(rows[i].begin(), rows[i].end()), rows[i].end());
+      row.clear();
+      add_column(i, i);
+      for (const std::size_t group : groups_of[i])
+        for (const int j : groups[group])
+          add_column(i, j);
+      std::sort(row.begin(), row.end());
       if (!lower)
         for (int j = n_nodal; j < n; ++j)
-          rows[i].push_back(j);
-      sparse.columns.insert(sparse.columns.end(), rows[i].begin(), rows[i].end());
+          row.push_back(j);
+      sparse.columns.insert(sparse.columns.end(), row.begin(), row.end());
     }
     else
     {
@@ -136,13 +148,17 @@ void BorderedSystem::make_pattern()
   }
   sparse.values.assign(sparse.columns.size(), 0.);
 
-  for (const Cell &cell : cells)
+  std::vector<int> place(n_nodal); // of a row's columns
+  for (std::size_t c = 0; c < cells.size(); ++c)
   {
-    cell_unknowns(cell, unknowns.n_fields());
     scatter_start.push_back(scatter.size());
-    for (const int i : cell_list)
-      for (const int j : cell_list)
-        scatter.push_back(!lower || j <= i ? place_of(i, j) : -1);
+    for (const int i : groups[c])
+    {
+      for (int k = sparse.row_start[i]; k < sparse.row_start[i + 1] && sparse.columns[k] < n_nodal; ++k)
+        place[sparse.columns[k]] = k;
+      for (const int j : groups[c])
+        scatter.push_back(!lower || j <= i ? place[j] : -1);
+    }
   }
 }
 

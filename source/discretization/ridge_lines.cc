@@ -66,6 +66,12 @@ void check_ridge(const RidgeShape &shape)
                     exact_text(shape.ring_radius) + ", " + exact_text(shape.half_width - shape.ring_radius) +
                     " from the lateral faces, on a substrate " + exact_text(shape.thickness) +
                     " thick it must lie between " + exact_text(smallest) + " and " + exact_text(largest) + ".");
+  // Of a sphere 6e3 times as large as the ring, rounding errors are still far smaller than the ring.
+  const double largest_volume = 1e12 * std::pow(shape.ring_radius, 3);
+  if (!(shape.cap_volume <= largest_volume))
+    throw UserError("Volume of the drop = " + exact_text(shape.cap_volume) + ": on a contact line of radius " +
+                    exact_text(shape.ring_radius) + " it must be at most " + exact_text(largest_volume) +
+                    ", or the line is a point. Take a smaller drop or a larger line.");
 }
 
 std::vector<double> graded_ends(const double length, const double size, const double growth, const double coarsest,

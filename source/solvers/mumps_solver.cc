@@ -9,6 +9,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -43,6 +44,8 @@ public:
     // One process passes them all at once, which saves a redistribution as long as a quarter of a factorisation.
     icntl(18) = n_processes > 1 ? 3 : 0;
     icntl(28) = 1; // sequential analysis
+    if (scales_itself())
+      icntl(8) = -1; // MUMPS takes what it is given
   }
   ~MumpsInstance()
   {
@@ -77,10 +80,42 @@ public:
     (n_processes > 1 ? data.jcn_loc : data.jcn) = columns.data();
   }
   /** MUMPS reads the values in the calls that follow and does not change them. */
-  void set_values(const double *values) { (n_processes > 1 ? data.a_loc : data.a) = const_cast<double *>(values); }
+  void set_values(const double *values)
+  {
+    (n_processes > 1 ? data.a_loc : data.a) = const_cast<double *>(values);
+    if (scales_itself() && values != nullptr)
+      scale();
+  }
 
   DMUMPS_STRUC_C data{};
   int n_processes = 1;
+
+private:
+  bool scales_itself() const { return n_processes == 1 && data.sym == 0; }
+
+  /**
+   * Divides rows and columns by the square roots of their largest entries, in one pass over the matrix. MUMPS's own
+   * iterated scaling takes a fifth of the LU factorisations of vesicles and is no more accurate there. LDL^T needs it:
+   * with this one, shells postpone so many pivots that they take twice as long.
+   */
+  void scale()
+  {
+    row_scale.assign(static_cast<std::size_t>(data.n), 0.);
+    column_scale.assign(static_cast<std::size_t>(data.n), 0.);
+    for (MUMPS_INT8 k = 0; k < data.nnz; ++k)
+    {
+      double &row = row_scale[data.irn[k] - 1], &column = column_scale[data.jcn[k] - 1];
+      row    = std::max(row, std::abs(data.a[k]));
+      column = std::max(column, std::abs(data.a[k]));
+    }
+    for (std::vector<double> *const scale : {&row_scale, &column_scale})
+      for (double &s : *scale)
+        s = s > 0. ? 1. / std::sqrt(s) : 1.;
+    data.rowsca = row_scale.data();
+    data.colsca = column_scale.data();
+  }
+
+  std::vector<double> row_scale, column_scale;
 };
 
 /** The error in words; MUMPS puts more detail, such as a size, in INFOG(2). */

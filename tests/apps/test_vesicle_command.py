@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The command line of a run that is in order: help, validation, written parameters, overrides, silence."""
 
+import re
+
 from vesicle_program import SCENES, SMALL, VesicleTest, settings
 
 PROLATE = SCENES / "prolate.prm"
@@ -24,6 +26,10 @@ class CommandLine(VesicleTest):
         self.assertEqual((checked.returncode, checked.stderr), (0, ""))
         for word in ("valid", "helfrich bending", "area constraint", "volume constraint", "96 cells of degree 3", "moment"):
             self.assertIn(word, checked.stdout)
+        self.assertIn("surface (96 cells, 1536 points):\n    energy 'helfrich bending' of position moment\n    constraint 'area constraint' of position\n", checked.stdout)
+        # Of the start shape: a spheroid of reduced volume 0.9, on a mesh of 96 cells.
+        found = re.search(r"^  reduced_volume = (\S+)$", checked.stdout, re.MULTILINE)
+        self.assert_within(float(found.group(1)), 0.9, 1e-6)
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_written_parameters_are_a_scene(self):

@@ -187,6 +187,8 @@ TEST(AxialRidge, RefusesWhatHasNoMesh)
   shape            = paper_shape();
   shape.cap_volume = 0.;
   EXPECT_USER_ERROR(axial_ridge(shape), "Volume of the drop = 0");
+  shape.cap_volume = 2e12;
+  EXPECT_USER_ERROR(axial_ridge(shape), "Volume of the drop = 2000000000000", "at most 1000000000000");
   shape        = paper_shape();
   shape.growth = 1.;
   EXPECT_USER_ERROR(axial_ridge(shape), "Growth of cells = 1", "1.01 and 3");

@@ -10,14 +10,22 @@ namespace pellicle::fuzz
 {
 void run(Reader *read, const std::string &input)
 {
+  const auto check = [](const std::exception &refusal)
+  {
+    if (trimmed(refusal.what()).empty())
+      throw std::logic_error("refused without a word");
+  };
   try
   {
     read(input);
   }
   catch (const UserError &refusal)
   {
-    if (trimmed(refusal.what()).empty())
-      throw std::logic_error("refused without a word");
+    check(refusal);
+  }
+  catch (const SolveError &refusal)
+  {
+    check(refusal);
   }
 }
 } // namespace pellicle::fuzz

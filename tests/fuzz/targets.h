@@ -8,8 +8,8 @@
 namespace pellicle::fuzz
 {
 /**
- * Reads an input in one of the ways in which users' files and arguments are read. Returns or throws UserError; any
- * other exception is a finding.
+ * Reads an input in one of the ways in which users' files and arguments are read. Returns or throws UserError, or
+ * SolveError if a start shape is found unusable by computing; any other exception is a finding.
  */
 using Reader = void(const std::string &input);
 
@@ -24,6 +24,6 @@ struct Target
 
 const std::vector<Target> &targets();
 
-/** Calls a reader; a UserError is as good as an answer if it says something. */
+/** Calls a reader; a refusal is as good as an answer if it says something. */
 void run(Reader *read, const std::string &input);
 } // namespace pellicle::fuzz

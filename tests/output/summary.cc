@@ -55,6 +55,40 @@ TEST(Summary, HoldsWhatTheContractSays)
   EXPECT_EQ(summary.dump(2), expected.dump(2));
 }
 
+TEST(Summary, ListsLoopsAndMatrix)
+{
+  RunResult result               = example();
+  result.unknowns.matrix_entries = 4711;
+  result.loops                   = {{"surface",
+                                     384,
+                                     6144,
+                                     {{LoopTerm::Kind::energy, "helfrich bending", "domain", {"position", "moment"}},
+                                      {LoopTerm::Kind::constraint, "area constraint", "", {"position"}}}},
+                                    {"edge rim", 32, 128, {{LoopTerm::Kind::dissipation, "friction", "", {"position"}}}}};
+  const Json summary             = Json::parse(summary_text(result));
+  EXPECT_EQ(summary["matrix"]["entries"], 4711);
+  const Json expected = Json::parse(R"([
+    {"over": "surface", "cells": 384, "points": 6144, "terms": [
+      {"name": "helfrich bending", "kind": "energy", "fields": ["position", "moment"], "region": "domain"},
+      {"name": "area constraint", "kind": "constraint", "fields": ["position"]}]},
+    {"over": "edge rim", "cells": 32, "points": 128, "terms": [
+      {"name": "friction", "kind": "dissipation", "fields": ["position"]}]}])");
+  EXPECT_EQ(summary["loops"].dump(2), expected.dump(2));
+}
+
+TEST(Summary, HoldsTheConditioningThatWasAskedFor)
+{
+  RunResult result     = example();
+  result.linear_solver = LinearSolverReport{"mumps", {1e6, 0.25, 4.}, 3};
+  const Json summary   = Json::parse(summary_text(result));
+  const Json expected  = {{"name", "mumps"},
+                          {"condition_estimate", 1e6},
+                          {"smallest_pivot", 0.25},
+                          {"largest_pivot", 4.},
+                          {"negative_pivots", 3}};
+  EXPECT_EQ(summary["linear_solver"].dump(), expected.dump());
+}
+
 TEST(Summary, NamesStatusAndMessage)
 {
   RunResult result = example();

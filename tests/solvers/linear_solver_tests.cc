@@ -315,6 +315,43 @@ TEST(LinearSolver, LeavesTheMatrixAndOtherRightHandSidesAlone)
   }
 }
 
+/** Of diag(1, ..., 1) with one coupling of size a: rows (1, a), (0, 1). | |A^-1| |A| (1, 1)| = 1 + 2 a. */
+TEST(LinearSolver, ConditioningOfAKnownMatrix)
+{
+  const double a = 1e5;
+  MatrixBuilder builder(MatrixSymmetry::general, 2);
+  builder.add(0, 0, 1. / mpi_size());
+  builder.add(1, 1, 1. / mpi_size());
+  builder.add(0, 1, a / mpi_size());
+  const SparseMatrix matrix = builder.matrix();
+  const auto solver         = make_linear_solver("mumps");
+  solver->factorize(matrix);
+  const std::optional<Conditioning> found = solver->conditioning(matrix);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->condition_estimate, 1. + 2. * a, 0.1 * a);
+  EXPECT_GT(found->smallest_pivot, 0.);
+  EXPECT_LE(found->smallest_pivot, found->largest_pivot);
+
+  std::vector<double> solution{1. + a, 1.};
+  solver->solve(solution);
+  expect_near(solution, {1., 1.}, 1e-10);
+}
+
+/** A symmetric matrix is stored by its lower half; the multiples of the identity are as well-conditioned as can be. */
+TEST(LinearSolver, ConditioningDoesNotSeeTheScaleOfSymmetricMatrices)
+{
+  MatrixBuilder builder(MatrixSymmetry::symmetric, 3);
+  for (int i = 0; i < 3; ++i)
+    builder.add(i, i, 1e-7 / mpi_size());
+  const SparseMatrix matrix = builder.matrix();
+  for (const std::string &name : solvers_for_this_run())
+  {
+    const auto solver = make_linear_solver(name);
+    solver->factorize(matrix);
+    EXPECT_NEAR(solver->conditioning(matrix).value().condition_estimate, 1., 1e-6) << name;
+  }
+}
+
 TEST(LinearSolver, UnknownNamesAreTheUsersMistake)
 {
   EXPECT_USER_ERROR(make_linear_solver("mump"), "'mump'", "'mumps'");

@@ -93,7 +93,7 @@ class Report(unittest.TestCase):
         points = [measured("3-D, degree 3", 0.2, 1e-6, "3-D k3 r1"), measured("Surface Evolver, linear", 30.0, 5e-6, "linear r6"), measured("axial, degree 3", 0.05, 1e-7, "axial k3 r2")]
         text = report.document(CASES, points, [("prolate", "3-D k5 r9", "no memory")], "picture.svg", "the command")
         for words in ("| prolate | 3-D | 3-D k3 r1 (0.2 s) | 3-D k3 r1 (0.2 s) | - | - |", "| prolate | axial | axial k3 r2 (0.05 s) |", "| prolate | 1e-05 | 0.3 s | 3-D k3 r1 (0.2 s) | met |",
-                      "| prolate | 1e-03 | 0.1 s | 3-D k3 r1 (0.2 s) | missed |", "| prolate | 1e-05 | 3-D k3 r1 (0.2 s) | linear r6 (30 s) | 150 | 50 |", "no memory", "the command", "picture.svg"):
+                      "| prolate | 1e-03 | 0.1 s | 3-D k3 r1 (0.2 s) | missed |", "| prolate | 1e-05 | 3-D k3 r1 (0.2 s) | 3-D k3 r1 (0.2 s) | linear r6 (30 s) | 150 | 50 |", "| prolate | 5.0e-06 | linear r6 (30 s) | 3-D k3 r1 (0.2 s) |", "no memory", "the command", "picture.svg"):
             self.assertIn(words, text)
         self.assertNotIn("sessile60", text)  # nothing was measured there
 
