@@ -2,6 +2,7 @@
 // Equilibria on meshes that are refined in places: continuity, order, Newton's method, all fields and charts.
 #include "director_runs.h"
 #include "droplet_runs.h"
+#include "shell_runs.h"
 
 #include <pellicle/models/nodal_curvature.h>
 
@@ -154,6 +155,27 @@ TEST(HangingNodes, DirectorsOnATorus)
     expect_quadratic_tail(solved.record.iterations, 1e-2, 1e3, 1e-11);
     EXPECT_LT(relative_error(solved.quantity("total_energy"), coarse.quantity("total_energy")), 0.02);
   }
+}
+
+// A shell: material nodes, extensible directors, stresses of degree k - 1. Cells at one of the forces are small.
+TEST(HangingNodes, PinchedHemisphere)
+{
+  ShellScene scene = pinched_hemisphere(1., 3, 1);
+  const Solved uniform(scene);
+  cut_around(scene, 10., 5.);
+  const Solved solved(scene);
+  ASSERT_TRUE(solved.result.converged) << solved.result.failure;
+  ASSERT_FALSE(solved.model.mesh().hanging.empty());
+  for (std::size_t f = 0; f < solved.model.equilibrium().state().fields.size(); ++f)
+  {
+    const NodalVectors &field = solved.model.equilibrium().state().fields[f];
+    double largest            = 0.;
+    for (const double component : field)
+      largest = std::max(largest, std::abs(component));
+    EXPECT_LT(largest_crack(solved.model.mesh(), field), 1e-13 * largest) << "field " << f;
+  }
+  EXPECT_LE(solved.result.iterations, uniform.result.iterations + 1);
+  EXPECT_LT(relative_error(solved.quantity("total_energy"), uniform.quantity("total_energy")), 0.03);
 }
 
 // The contact line moves over the plane; cells at one side of it are small. Closed form: the cap's radius. Newton's
