@@ -128,12 +128,13 @@ private:
   /** Of the level before: from its value, that of its state on the next mesh, and that of the next one's state. Where
    * it was made by cutting some cells the errors of the others remain, and the next cut need not find them: then half
    * of the change that it has brought counts as well. */
-  double estimate_of(const Level &next, const double seen) const
+  double estimate_of(const Level &next, const double seen)
   {
     const std::vector<LevelRecord> &levels = table.levels();
     const LevelRecord &last                = levels.back();
-    const double estimate =
-        estimate_from({seen - last.value, headline_near(*next.model, quantity) - seen}, table.errors());
+    richer.resize(table.errors().size());
+    richer.push_back({seen - last.value, headline_near(*next.model, quantity) - seen});
+    const double estimate = estimate_from(richer);
     if (levels.size() < 2 || last.mesh.cut.size() == levels[levels.size() - 2].mesh.cut.size())
       return estimate;
     return std::max(estimate, 0.5 * std::abs(last.value - levels[levels.size() - 2].value));
@@ -187,18 +188,26 @@ private:
     level.record.replay(context.observer);
     context.sink(*level.model, std::max(0, level.result.newton.steps - 1), 0.);
     result = level.result;
-    if (!table.levels().empty())
+    if (std::isfinite(table.relative_error()))
       result.quantities.emplace_back("estimated_relative_error", table.relative_error());
     if (level.is_solved() && !is_met())
     {
       result.status  = RunStatus::target_not_met;
-      result.message = "Accuracy/Target = " + exact_text(parameters.target) + " was not met: the estimated relative " +
-                       "error of " + quantity + " is " + exact_text(table.relative_error()) + " on " +
-                       std::to_string(result.n_cells) + " cells of degree " + std::to_string(result.degree) + ". ";
-      result.message +=
-          reason.empty() ? "Smaller differences are round-off: take a larger Target." : "The reason: " + reason + ".";
+      result.message = message(result);
     }
     return std::move(level.model);
+  }
+
+  std::string message(const RunResult &result) const
+  {
+    const std::string error =
+        std::isfinite(table.relative_error())
+            ? "the estimated relative error of " + quantity + " is " + exact_text(table.relative_error())
+            : "the error of " + quantity + " could not be estimated";
+    const std::string why =
+        reason.empty() ? "smaller differences between levels are round-off; take a larger Target" : reason;
+    return "Accuracy/Target = " + exact_text(parameters.target) + " was not met: " + error + " on " +
+           std::to_string(result.n_cells) + " cells of degree " + std::to_string(result.degree) + " (" + why + ").";
   }
 
   const RunContext &context;
@@ -208,7 +217,8 @@ private:
   const std::string quantity;
   const LevelMaker maker;
   LevelTable table;
-  std::string reason; ///< why it ends without the target
+  std::vector<RicherSpace> richer; ///< of the levels with an estimate
+  std::string reason;              ///< why it ends without the target
 };
 } // namespace
 

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
+#include <limits>
 
 namespace pellicle
 {
@@ -13,6 +12,7 @@ namespace
 {
 constexpr double least_share      = 0.1;  ///< of what was expected: no difference counts as smaller
 constexpr double least_part       = 5e-4; ///< of a part: no sum of two parts counts as smaller
+constexpr double greatest_gain    = 400.; ///< from level to level: beyond it, two errors are equal by accident
 constexpr double largest_believed = 0.8;  ///< ratio of errors from level to level
 constexpr double first_guess      = 0.5;  ///< of it
 
@@ -22,12 +22,17 @@ double ratio_of(const double after, const double before)
 }
 } // namespace
 
-double estimate_from(const RicherSpace &richer, const std::vector<double> &before)
+double estimate_from(const std::vector<RicherSpace> &levels)
 {
-  const double sum   = std::abs(richer.seen + richer.relaxed);
-  const double parts = std::max(std::abs(richer.seen), std::abs(richer.relaxed));
-  const double error = std::max(sum, least_part * parts);
-  return error / (1. - (before.empty() ? first_guess : ratio_of(error, before.back())));
+  double estimate = 0.;
+  for (std::size_t i = 0; i < levels.size(); ++i)
+  {
+    const double sum   = std::abs(levels[i].seen + levels[i].relaxed);
+    const double part  = std::max(std::abs(levels[i].seen), std::abs(levels[i].relaxed));
+    const double error = std::max({sum, least_part * part, estimate / greatest_gain});
+    estimate           = error / (1. - (i == 0 ? first_guess : ratio_of(error, estimate)));
+  }
+  return estimate;
 }
 
 std::vector<double> estimates_of_sequence(const std::vector<double> &values)
@@ -49,7 +54,7 @@ double expected_error(const std::vector<double> &estimates)
 {
   const std::size_t n = estimates.size();
   if (n == 0)
-    return 0.;
+    return std::numeric_limits<double>::infinity();
   double ratio = n == 1 ? 1. : 0.;
   for (std::size_t i = std::max<std::size_t>(n, 3) - 2; i < n; ++i)
     ratio = std::max(ratio, estimates[i - 1] > 0. ? std::min(1., estimates[i] / estimates[i - 1]) : 1.);

@@ -46,13 +46,23 @@ TEST(ErrorEstimate, EqualNeighboursProveNothing)
 
 TEST(ErrorEstimate, RicherSpaces)
 {
-  EXPECT_NEAR(estimate_from({1e-3, -4e-3}, {1.}), 3e-3, 1e-4);
-  // Cancellation to the last digit proves nothing.
-  EXPECT_NEAR(estimate_from({1e-3, -1e-3 + 1e-12}, {1.}), 5e-7, 1e-12);
-  // What the richer space leaves is as much as the ratio so far; at most 0.8, and half of it is the first guess.
-  EXPECT_NEAR(estimate_from({1e-3, 0.}, {4e-3}), 1e-3 / 0.75, 1e-12);
-  EXPECT_NEAR(estimate_from({1e-3, 0.}, {1e-3}), 5e-3, 1e-12);
-  EXPECT_NEAR(estimate_from({1e-3, 0.}, {}), 2e-3, 1e-12);
+  // What the richer space leaves is as much as the ratio so far: half as a first guess, 0.8 at most.
+  EXPECT_NEAR(estimate_from({{1e-3, 0.}}), 2e-3, 1e-12);
+  EXPECT_NEAR(estimate_from({{1e-3, 0.}, {5e-4, 0.}}), 5e-4 / 0.75, 1e-12);
+  EXPECT_NEAR(estimate_from({{1e-3, 0.}, {4e-3, 0.}}), 2e-2, 1e-12);
+  EXPECT_NEAR(estimate_from({{0.1, -0.101}, {1e-3, -1.01e-3}}), 1e-5 / (1. - 1e-5 / 2e-3), 1e-9);
+}
+
+TEST(ErrorEstimate, WhatLooksPerfectIsAnAccident)
+{
+  EXPECT_NEAR(estimate_from({{1e-3, -1e-3}}), 2. * 5e-7, 1e-12);
+  EXPECT_NEAR(estimate_from({{0., 1e-3}, {0., 1e-9}}), 2e-3 / 400., 1e-7);
+}
+
+TEST(ErrorEstimate, NothingIsKnownOfOneLevel)
+{
+  EXPECT_TRUE(std::isinf(expected_error({})));
+  EXPECT_EQ(expected_error({1e-3}), 1e-3);
 }
 
 LevelRecord level(const unsigned int degree, const unsigned int refinements, const double error)

@@ -17,13 +17,14 @@ struct RicherSpace
 };
 
 /**
- * Estimate of the level's error: |seen + relaxed|/(1 - ratio), where ratio is that of the errors of the richer space
- * and of the level, as the levels before let expect it (1/2 if there are none, 0.8 at most). Where the parts cancel to
- * less than 1/2000 of the larger one that is taken for an accident, and the sum for as large as that.
+ * Estimate of the last level's error from the richer spaces of all levels so far: |seen + relaxed|/(1 - ratio), where
+ * ratio is that of the errors of the richer space and of the level, as the level before lets expect it (1/2 if there is
+ * none, 0.8 at most).
  *
- * @param before  estimates of the levels before, in the same unit.
+ * Two levels whose errors are equal by accident look perfect. So no level counts as more than 400 times as accurate as
+ * the one before, and no sum for smaller than 1/2000 of the larger part.
  */
-double estimate_from(const RicherSpace &richer, const std::vector<double> &before);
+double estimate_from(const std::vector<RicherSpace> &levels);
 
 /**
  * The same from values of levels alone, where nothing is carried over: differences of neighbours d_i = |Q_{i+1} - Q_i|
@@ -34,6 +35,6 @@ double estimate_from(const RicherSpace &richer, const std::vector<double> &befor
 std::vector<double> estimates_of_sequence(const std::vector<double> &values);
 
 /** Estimate for the level after the last estimated one: that times the larger of the last two ratios. Without two
- * estimates: that of the last one. */
+ * estimates: that of the last one; infinite without any. */
 double expected_error(const std::vector<double> &estimates);
 } // namespace pellicle
