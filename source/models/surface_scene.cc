@@ -173,6 +173,10 @@ std::vector<std::pair<std::string, double>> SurfaceScene::level_settings(const L
 void SurfaceScene::check_accuracy() const
 {
   const std::string target = "Accuracy/Target = " + exact_text(accuracy.target);
+  if (mesh.mirror_planes().any() && accuracy.refinement == "adaptive")
+    throw UserError("Accuracy/Refinement = adaptive with Mesh/Symmetry = " + mesh.symmetry +
+                    " is not possible: the images of a cell would have to be cut with it. Set one of the two to "
+                    "uniform (none).");
   if (!branch.parameter.empty())
     throw UserError(target + " with Continuation/Parameter = " + branch.parameter +
                     " is not possible: the target is for one equilibrium, a branch has many. Give up one of the two; "
