@@ -41,11 +41,20 @@ def is_right(value, check):
             and value <= check.get("at_most", math.inf))
 
 
+def words(check):
+    """Those of which one must be said."""
+    wanted = check.get("warning") or check.get("message") or check["says"]
+    return wanted if isinstance(wanted, list) else [wanted]
+
+
 def text_failures(check, run):
-    """Of a criterion on words: in the warnings, or in the message on stderr."""
-    where, text = ("a warning", " ".join(run.summary.get("warnings", []))) if "warning" in check else ("the message", run.stderr)
-    wanted = check.get("warning", check.get("message"))
-    return [] if wanted in text else [f"{check['failure']}: '{wanted}' is not in {where}"]
+    """Of a criterion on words: in the warnings, in the message on stderr, or (says) in either of them."""
+    warnings = " ".join(run.summary.get("warnings", []))
+    where, text = (("a warning", warnings) if "warning" in check else ("the message", run.stderr) if "message" in check
+                   else ("warnings and message", warnings + run.stderr))
+    if any(wanted in text for wanted in words(check)):
+        return []
+    return [f"{check['failure']}: '{words(check)[0]}' is not in {where}"]
 
 
 def number_failures(check, run):
@@ -63,7 +72,7 @@ def failures(case, run):
     if run.status is None:
         return [f"{name}: over its budget of {case['budget']} s"]
     wanted = case.get("exit_status", 0)
-    if run.status != wanted:
+    if run.status not in (wanted if isinstance(wanted, list) else [wanted]):
         return [f"{name}: exit status {run.status} and not {wanted}: {run.stderr.strip()}"]
     found = []
     for check in case["checks"]:

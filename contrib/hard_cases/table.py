@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Writes the table of the hard cases into doc/stability.md, between two comments that mark its place."""
 
-from checks import SOURCES, failures
+from checks import SOURCES, failures, words
 
 BEGIN, END = "<!-- table: contrib/hard_cases/run.py --write -->", "<!-- end of the table -->"
 HEAD = ("| case | what makes it hard | result | iterations | CPU s | condition | smallest pivot |\n"
@@ -15,7 +15,7 @@ def number(value):
 def finding(check, run):
     """One criterion and what was found, in a few words."""
     if "quantity" not in check:
-        return f"says '{check.get('warning', check.get('message'))}'"
+        return f"says '{words(check)[0]}'"
     source = check.get("at", "end")
     name = {"end": "", "largest": "largest ", "smallest": "smallest ", "fold": "fold at "}[source] + f"`{check['quantity']}`"
     text = f"{name} {number(SOURCES[source](check, run))}"
@@ -39,10 +39,12 @@ def row(case, run):
             f"| {pivot} |\n")
 
 
-def write_table(document, results):
-    """Replaces what stands between the two comments."""
+def write_table(document, names, results):
+    """Replaces what stands between the two comments: rows of the cases that were run, in the order of the names; others stay."""
     text = document.read_text(encoding="utf-8")
     before, rest = text.split(BEGIN)
-    after = rest.split(END)[1]
-    table = HEAD + "".join(row(case, run) for case, run in results)
-    document.write_text(f"{before}{BEGIN}\n{table}{END}{after}", encoding="utf-8")
+    table, after = rest.split(END)
+    rows = {line.split("`")[1]: line + "\n" for line in table.splitlines() if line.startswith("| `")}
+    rows.update({case["name"]: row(case, run) for case, run in results})
+    body = "".join(rows[name] for name in names if name in rows)
+    document.write_text(f"{before}{BEGIN}\n{HEAD}{body}{END}{after}", encoding="utf-8")

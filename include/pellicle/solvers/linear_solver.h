@@ -21,9 +21,9 @@ struct Inertia
 /** How near to singular a factorised matrix is. */
 struct Conditioning
 {
-  /** mumps: of the componentwise condition number | |A^-1| |A| |x| | / |x| for x = (1, ..., 1), maximum norm (Arioli,
-   * Demmel and Duff, SIAM J. Matrix Anal. Appl. 10, 1989): relative errors of entries grow by so much. It does not
-   * depend on the scaling of the rows. umfpack: the largest over the smallest pivot. */
+  /** mumps: of the componentwise condition number | |A^-1| (|A| |x| + |b|) | / |x|, maximum norm, for x = (1, ..., 1)
+   * and b = A x (Arioli, Demmel and Duff, SIAM J. Matrix Anal. Appl. 10, 1989): relative errors of entries grow by at
+   * most so much. It does not depend on the scaling of the rows. umfpack: the largest over the smallest pivot. */
   double condition_estimate = 0.;
   double smallest_pivot     = 0.; ///< absolute values, of the matrix as the solver scales it (entries of order one)
   double largest_pivot      = 0.;
