@@ -100,7 +100,7 @@ private:
 
 void AccuracyParameters::bind(ParameterSection &section)
 {
-  section.number("Target", target, {0., 1., true, false, false}, dimensions::none,
+  section.number("Target", target, Range::between(0., 1.), dimensions::none,
                  "Relative error of the headline quantity (vesicle: bending energy; droplet_contact and "
                  "director_membrane: total energy; wetting_ridge: ridge radius) that the run is to reach: degree and "
                  "refinement are raised from coarse ones until the estimated error is below it. 0: the scene's own "
