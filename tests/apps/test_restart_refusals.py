@@ -149,7 +149,7 @@ class FullDisc(RestartTest):
         whole = self.start(SCENE, *SHORT, *KEEP_ALL, "Output/Solution=false", name="whole")
         sizes = [path.stat().st_size for path in checkpoints(whole.directory)]
         self.assertEqual(sizes, sorted(sizes))
-        run = self.limited(sizes[1], *KEEP_ALL)
+        run = self.limited((sizes[1] + sizes[2]) // 2, *KEEP_ALL)
         self.assert_ended(run, "step_000003.bin", "File too large")
         self.assertEqual(len(checkpoints(run.directory)), 2)
         later = self.restart(run.directory)
