@@ -54,7 +54,7 @@ for target in "${chosen[@]}"; do
   mkdir -p "$build/fuzz/$target"
   dictionary=tests/fuzz/$target.dict
   [[ $target == model ]] && dictionary=tests/fuzz/scene.dict
-  "$build/tests/fuzz_$target" -max_total_time="$seconds" -max_len=4096 -timeout=25 -rss_limit_mb=2048 -verbosity=1 \
+  "$build/tests/fuzz_$target" -max_total_time="$seconds" -max_len=4096 -timeout=60 -rss_limit_mb=2048 -verbosity=1 \
     -print_final_stats=1 -dict="$dictionary" -artifact_prefix="$build/fuzz/findings/$target-" \
     "$build/fuzz/$target" "tests/fuzz/corpus/$target"
 done

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "expression_symbols.h"
 
+#include <pellicle/base/exact_text.h>
 #include <pellicle/base/exceptions.h>
 #include <pellicle/base/text.h>
 
@@ -195,6 +196,8 @@ private:
         refuse("it has a power of numbers that has no finite real value");
       return GiNaC::numeric(value);
     }
+    if (number && *number <= 0.)
+      refuse("a power with " + exact_text(*number) + " as base and an exponent that varies has no derivatives");
     if (n && std::abs(*n) <= 1000. && *n == std::floor(*n))
       return GiNaC::pow(base, GiNaC::numeric(static_cast<long>(*n)));
     return GiNaC::pow(base, exponent);

@@ -149,7 +149,9 @@ TEST(ExpressionOfPlace, MistakesAreNamed)
       {"sin(x,y)", "2 arguments instead of 1"},
       {"1e400*x", "double precision"},
       {"min(x,y)", "'min' has no derivatives"},
-      {"floor(x)", "only abs is accepted"}};
+      {"floor(x)", "only abs is accepted"},
+      {"0^x", "0 as base"},
+      {"(-2)^y", "-2 as base"}};
   for (const auto &[text, reason] : mistakes)
     test::expect_user_error([text = text] { ExpressionOfPlace f(text); },
                             {"'" + std::string(text) + "' is not a function of x and y", reason, "sqrt", "pi, x, y"});
