@@ -23,7 +23,7 @@ namespace
 {
 constexpr double rigid_rho =
     1e4; // stiffness of the gauge against rigid motions; its size has no influence on a solution
-constexpr double chart_reach   = 0.1; // displacement, relative to the length, after which normals and gauge are renewed
+constexpr double chart_reach = 0.1; // displacement, relative to the length, after which normals and gauge are renewed
 // Forces below it, in internal units, count as this large: where a skin is free of stress there are none to compare
 // the residual with.
 constexpr double smallest_forces = 1e-4;
