@@ -43,7 +43,7 @@ class Files(VesicleTest):
         run = self.solve(PROLATE, *SMALL)
         self.assertEqual(run.files, FILES)
         summary = run.summary
-        self.assertEqual(list(summary), ["application", "version", "status", "effects", "analyses", "warnings", "mesh", "unknowns", "newton",
+        self.assertEqual(list(summary), ["application", "version", "status", "effects", "analyses", "warnings", "mesh", "unknowns", "matrix", "loops", "newton",
                                          "seconds", "quantities"])
         self.assertEqual(summary["application"], "vesicle")
         self.assertEqual(summary["effects"], ["helfrich bending", "area constraint", "volume constraint"])
