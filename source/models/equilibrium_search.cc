@@ -100,14 +100,19 @@ bool EquilibriumSearch::iterate(const PositionChart chart, const int max_iterati
   return result.converged;
 }
 
-void EquilibriumSearch::polish()
+// In the ALE chart, from an equilibrium in that of the normal graph. Where that fails the graph has mostly arrived at a
+// shape with crowded nodes, and a smoother start may do better.
+void EquilibriumSearch::polish(const std::optional<SurfaceState> &start)
 {
   const SurfaceState graph    = problem.state();
   const double graph_residual = outcome.relative_residual;
   if (iterate(PositionChart::ale, newton.max_iterations))
     return;
+  const std::string failure = outcome.failure;
+  if (start && from_faired_start(*start))
+    return;
   outcome.warnings.push_back(
-      "The polishing in the ALE chart did not converge (" + outcome.failure +
+      "The polishing in the ALE chart did not converge (" + failure +
       "): the equilibrium in the normal-graph chart is reported. More cells or load steps help.");
   outcome.converged         = true;
   outcome.failure           = "";
@@ -132,12 +137,11 @@ bool EquilibriumSearch::in_charts(const std::string &charts)
       return true;
     problem.set_state(before);
   }
-  if (iterate(PositionChart::graph, newton.max_iterations))
-  {
-    polish();
-    return true;
-  }
-  return charts == "automatic" && from_faired_start(before);
+  const bool may_fair = charts == "automatic";
+  if (!iterate(PositionChart::graph, newton.max_iterations))
+    return may_fair && from_faired_start(before);
+  polish(may_fair ? std::optional<SurfaceState>(before) : std::nullopt);
+  return true;
 }
 
 // For a start that is rough, and only for a start: an equilibrium on a load path is smooth, and what is lost by fairing

@@ -6,6 +6,7 @@
 #include <pellicle/models/surface_problem.h>
 #include <pellicle/solvers/newton.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,7 +61,7 @@ public:
 private:
   bool in_charts(const std::string &charts);
   bool iterate(PositionChart chart, int max_iterations);
-  void polish();
+  void polish(const std::optional<SurfaceState> &start);
   bool from_faired_start(const SurfaceState &start);
   bool approach(const std::vector<std::size_t> &distant);
 
