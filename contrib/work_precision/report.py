@@ -44,7 +44,7 @@ For meshes in space and symmetric parts of them, with the same rule.
 EVOLVER = """\
 ## Beside Surface Evolver
 
-The same problems in the same session with the inputs in `contrib/work_precision/evolver`, by the same rule, from the same start shapes. Evolver's
+The same problems in the same run with the inputs in `contrib/work_precision/evolver`, by the same rule, from the same start shapes. Evolver's
 meshes are of whole surfaces, the fastest of Pellicle often of a symmetric part; both are shown. The last columns are Evolver's time over that of
 Pellicle's fastest, without and with Pellicle's start-up. Vesicles have linear facets and the curvature at vertices (the only kind that Evolver has
 for bending), drops quadratic and Lagrange elements up to degree 8. A vesicle's Newton steps are found by line searches at first; without them finer
