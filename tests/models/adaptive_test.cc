@@ -69,10 +69,10 @@ SceneAlongLoad bud(const int degree, const int refinements, const double C0)
 }
 
 /** Unknowns that uniform meshes need for a relative error of the energy, over those of adapted ones. */
-double gain(const SceneAlongLoad &scene, const MeshFamily &uniform, const MeshFamily &adaptive, const double error,
-            const double exact)
+double gain(const SceneAlongLoad &coarse, const MeshFamily &uniform, const SceneAlongLoad &to_adapt,
+            const MeshFamily &adaptive, const double error, const double exact)
 {
-  Levels all(scene, uniform), some(scene, adaptive);
+  Levels all(coarse, uniform), some(to_adapt, adaptive);
   const double with_all = unknowns_for(error, exact, all.run()), with_some = unknowns_for(error, exact, some.run());
   EXPECT_LT(with_some, 1e9) << "the meshes that are adapted do not reach " << error;
   if (!some.iterations.empty())
@@ -86,20 +86,24 @@ double gain(const SceneAlongLoad &scene, const MeshFamily &uniform, const MeshFa
 TEST(Adaptive, RimOfAFlatSpheroid)
 {
   const double exact = Levels(flat_spheroid("axial mirror", 5, 7), {1, 1, 0., false}).run()[0].energy;
-  EXPECT_GT(gain(flat_spheroid("none", 3, 1), {4, 1, 0., false}, {6, 1, 0.6, false}, 1e-4, exact), 3.);
+  EXPECT_GT(gain(flat_spheroid("none", 3, 1), {4, 1, 0., false}, flat_spheroid("none", 3, 1), {6, 1, 0.6, false}, 1e-4,
+                 exact),
+            3.);
 }
 
 // The neck of a bud: uniform meshes miss it until 128 cells. Energy: uniform meshes of 256 cells of degree 4 and
-// adapted ones of 37 agree to 3e-10.
+// adapted ones of 37 agree to 3e-10. Meshes are adapted from 16 cells on: what a load path on 8 arrives at may be too
+// far off for the meshes after it, which then stay at another equilibrium, of energy 26.1765.
 TEST(Adaptive, NeckOfABud)
 {
-  EXPECT_GT(gain(bud(4, 1, 7.4), {5, 16, 0., true}, {6, 16, 0.6, true}, 1e-5, 26.152890156), 4.);
+  const double energy = 26.152890156;
+  EXPECT_GT(gain(bud(4, 1, 7.4), {5, 16, 0., true}, bud(4, 2, 7.4), {5, 16, 0.6, true}, 1e-5, energy), 3.);
 }
 
 // Tip and tube of a tether of 25 tube radii, on meshes that are graded towards the tip from the start. Energy: uniform
 // meshes of 256 cells of degree 4, whose last levels differ by 4e-11.
 TEST(Adaptive, Tether)
 {
-  EXPECT_GT(gain(tether(4, 1), {4, 30, 0., true}, {7, 30, 0.6, true}, 1e-8, 771.7684580755), 2.);
+  EXPECT_GT(gain(tether(4, 1), {4, 30, 0., true}, tether(4, 1), {7, 30, 0.6, true}, 1e-8, 771.7684580755), 2.);
 }
 } // namespace
