@@ -110,15 +110,19 @@ private:
    */
   bool is_improved(Level &next)
   {
-    const double seen       = headline_near(*next.model, quantity);
-    const double length     = length_of_step(next);
-    const bool is_estimated = length <= longest_step && estimate_of(next, seen) <= absolute_target();
-    if (!is_estimated && !is_solved(next))
+    const double seen   = headline_near(*next.model, quantity);
+    const double length = length_of_step(next);
+    double estimate     = length <= longest_step ? estimate_of(next, seen) : std::numeric_limits<double>::infinity();
+    if (!(estimate <= absolute_target()))
     {
-      table.set_error(std::isfinite(length) ? estimate_of(next, seen) : expected_error(table.errors()));
-      return false;
+      if (!is_solved(next))
+      {
+        table.set_error(std::isfinite(length) ? estimate_of(next, seen) : expected_error(table.errors()));
+        return false;
+      }
+      estimate = estimate_of(next, seen);
     }
-    table.set_error(estimate_of(next, seen));
+    table.set_error(estimate);
     if (is_done())
       return false;
     table.add(record_of(next));

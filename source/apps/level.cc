@@ -8,7 +8,14 @@ namespace pellicle
 namespace
 {
 constexpr const char *origin = "Accuracy", *drag = "Newton/Initial drag";
+
+/** The scene as the file stands, on the level's mesh; no scene file says which of its cells are cut further. */
+std::unique_ptr<SurfaceScene> on_mesh(std::unique_ptr<SurfaceScene> scene, const LevelMesh &mesh)
+{
+  scene->mesh.cut = mesh.cut;
+  return scene;
 }
+} // namespace
 
 LevelMaker::LevelMaker(const RunContext &context, const SurfaceScene &first)
     : context(context)
@@ -28,9 +35,9 @@ SurfaceSceneFile LevelMaker::with_mesh(const SurfaceSceneFile &file, const Level
 std::unique_ptr<Level> LevelMaker::at_start(const LevelMesh &mesh, const SurfaceSceneFile &file) const
 {
   auto level   = std::make_unique<Level>(Level{mesh, file, nullptr, nullptr});
-  level->scene = first.load.parameter.empty() ? level->file.read() : scene_at_start_of_load(level->file, first.load);
-  level->scene->mesh.cut = mesh.cut;
-  level->model           = std::make_unique<SurfaceModel>(*level->scene, context.communicator, context.timing);
+  level->scene = on_mesh(
+      first.load.parameter.empty() ? level->file.read() : scene_at_start_of_load(level->file, first.load), mesh);
+  level->model = std::make_unique<SurfaceModel>(*level->scene, context.communicator, context.timing);
   return level;
 }
 
@@ -58,8 +65,7 @@ std::unique_ptr<Level> LevelMaker::continued(const LevelMesh &mesh, const Level 
   {
     SurfaceSceneFile at_end = with_mesh(solved.file, mesh);
     at_end.set(drag, 0., origin);
-    auto moved             = std::make_unique<Level>(Level{mesh, at_end, at_end.read(), std::move(level->model)});
-    moved->scene->mesh.cut = mesh.cut;
+    auto moved = std::make_unique<Level>(Level{mesh, at_end, on_mesh(at_end.read(), mesh), std::move(level->model)});
     moved->model->update(*moved->scene);
     level = std::move(moved);
   }
@@ -72,7 +78,7 @@ void LevelMaker::solve(Level &level) const
   if (level.is_solved() || first.newton.initial_drag == 0.)
     return;
   level.file.set(drag, first.newton.initial_drag, origin);
-  level.scene = level.file.read();
+  level.scene = on_mesh(level.file.read(), level.mesh);
   level.model->update(*level.scene);
   level.record = {};
   level.result = solve_here(level.file, *level.scene, *level.model, level.record, nowhere);

@@ -2,6 +2,7 @@
 #include <pellicle/assembly/carried_nodes.h>
 #include <pellicle/assembly/dirichlet_forms.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/admissible.h>
 
 #include <Eigen/SparseCholesky>
 
@@ -40,7 +41,7 @@ std::vector<std::vector<NodalChart::Carrier>> carriers_of_sheets(const SurfaceDi
     for (const auto &entry : forms[c])
       if (own[entry.row()])
         number(source, source_nodes, entry.row());
-      else if (!held[entry.row()] && admits(discretization, entry.row(), c))
+      else if (!held[entry.row()] && admits(admissible_at(discretization, entry.row()), c))
         number(unknown, unknown_nodes, entry.row());
     if (unknown_nodes.empty() || source_nodes.empty())
       continue;

@@ -50,15 +50,4 @@ std::array<Entries, 3> dirichlet_forms(const SurfaceDiscretization &discretizati
   for_all_cells(tables, discretization.cell_nodes, positions, 3, add_cell);
   return forms;
 }
-
-bool admits(const SurfaceDiscretization &discretization, const std::size_t node, const unsigned int component)
-{
-  if (discretization.admissible.empty())
-    return true;
-  const AdmissibleDirections &directions = discretization.admissible[node];
-  double part                            = 0.;
-  for (unsigned int j = 0; j < directions.count; ++j)
-    part += std::pow(directions.columns[j][component], 2);
-  return part > 0.5;
-}
 } // namespace pellicle

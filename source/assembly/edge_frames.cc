@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/edge_frames.h>
+#include <pellicle/discretization/admissible.h>
 #include <pellicle/discretization/refined_quads.h>
 
 #include <array>
@@ -16,16 +17,9 @@ Vector3<double> normalised(const Vector3<double> &v)
 
 /** A line that ends on a plane of symmetry goes on as its mirror image: together their tangents are normal to the
  * plane, of whose directions nothing is left. */
-Vector3<double> across_plane(const AdmissibleDirections &in_plane, Vector3<double> t)
+Vector3<double> across_plane(const AdmissibleDirections &in_plane, const Vector3<double> &t)
 {
-  if (in_plane.count == 3)
-    return t;
-  for (unsigned int j = 0; j < in_plane.count; ++j)
-  {
-    const Vector3<double> e(in_plane.columns[j][0], in_plane.columns[j][1], in_plane.columns[j][2]);
-    t -= dot(t, e) * e;
-  }
-  return t;
+  return in_plane.count == 3 ? t : t - admissible_part(in_plane, t);
 }
 } // namespace
 

@@ -3,6 +3,7 @@
 #include <pellicle/assembly/faired_positions.h>
 #include <pellicle/assembly/nodal_chart.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/admissible.h>
 
 #include <Eigen/SparseCholesky>
 
@@ -20,7 +21,8 @@ Eigen::SparseMatrix<double> diffusion(const SurfaceDiscretization &discretizatio
                                       const std::vector<double> &masses, const double tau)
 {
   std::vector<Eigen::Triplet<double>> entries;
-  const auto moves = [&](const int node) { return admits(discretization, static_cast<std::size_t>(node), component); };
+  const auto moves = [&](const int node)
+  { return admits(admissible_at(discretization, static_cast<std::size_t>(node)), component); };
   for (const auto &entry : form)
     if (moves(entry.row()) && moves(entry.col()))
       entries.emplace_back(entry.row(), entry.col(), tau * entry.value());

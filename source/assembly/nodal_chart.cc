@@ -2,6 +2,8 @@
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/assembly/nodal_chart.h>
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/admissible.h>
+#include <pellicle/discretization/edge_loops.h>
 #include <pellicle/discretization/point_walk.h>
 #include <pellicle/discretization/refined_quads.h>
 
@@ -16,21 +18,11 @@ using Direction = Vector3<double>;
 
 std::vector<Direction> admissible_directions(const SurfaceDiscretization &discretization, const std::size_t node)
 {
-  const AdmissibleDirections all =
-      discretization.admissible.empty() ? AdmissibleDirections{} : discretization.admissible[node];
+  const AdmissibleDirections all = admissible_at(discretization, node);
   std::vector<Direction> directions;
   for (unsigned int j = 0; j < all.count; ++j)
     directions.emplace_back(all.columns[j][0], all.columns[j][1], all.columns[j][2]);
   return directions;
-}
-
-/** On a plane of symmetry, what a vector has in common with its mirror image. */
-Direction admissible_part(const SurfaceDiscretization &discretization, const std::size_t node, const Direction &v)
-{
-  Direction part;
-  for (const Direction &e : admissible_directions(discretization, node))
-    part += dot(v, e) * e;
-  return part;
 }
 
 void append_column(NodalChart::Node &node, const Direction &d, const bool mesh_equation)
@@ -192,7 +184,7 @@ NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const No
   {
     if (!on_surface[I])
       continue;
-    const Vector3<double> d = admissible_part(discretization, I, vector_at(normals, I));
+    const Vector3<double> d = admissible_part(admissible_at(discretization, I), vector_at(normals, I));
     const double length     = norm(d);
     PELLICLE_ASSERT(length > 0., "a node without a normal");
     for (unsigned int c = 0; c < 3; ++c)
@@ -203,19 +195,16 @@ NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const No
 
 NodalVectors nodal_normals_at_edges(const SurfaceDiscretization &discretization, const NodalVectors &positions)
 {
-  std::vector<bool> is_left(discretization.n_cells, false), on_edge(discretization.n_nodes, false);
+  const std::vector<bool> on_edge = nodes_of_edges(discretization);
+  std::vector<bool> is_left(discretization.n_cells, false);
   for (const EdgeLoop &loop : discretization.edges)
-  {
     for (const CellSide &side : loop.sides)
       is_left[side.cell] = true;
-    for (const std::size_t node : loop.cell_nodes)
-      on_edge[node] = true;
-  }
   NodalVectors normals = sums_of_normals(discretization, positions, [&](const std::size_t c) { return is_left[c]; });
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
   {
     const Vector3<double> d =
-        on_edge[I] ? admissible_part(discretization, I, vector_at(normals, I)) : Vector3<double>();
+        on_edge[I] ? admissible_part(admissible_at(discretization, I), vector_at(normals, I)) : Vector3<double>();
     const double length = norm(d);
     for (unsigned int c = 0; c < 3; ++c)
       normals[3 * I + c] = length > 0. ? d[c] / length : 0.;

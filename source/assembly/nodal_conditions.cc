@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/edge_frames.h>
 #include <pellicle/assembly/nodal_conditions.h>
+#include <pellicle/discretization/admissible.h>
 
 namespace pellicle
 {
@@ -61,8 +62,7 @@ void keep_on_bodies(const FieldConditions &conditions, const SurfaceDiscretizati
     chart.on_body[I] = NodalChart::OnBody{conditions.body[I], here};
     if (const auto line = lines.find(I); line != lines.end())
       append_tangential(cross(line->second, here.normal), here.normal, false, node);
-    const AdmissibleDirections all =
-        discretization.admissible.empty() ? AdmissibleDirections{} : discretization.admissible[I];
+    const AdmissibleDirections all = admissible_at(discretization, I);
     // The second of two directions in a plane may come from any of the three.
     for (unsigned int j = 0; j < all.count && node.count < 2 && tangential != TangentialMotion::none; ++j)
       append_tangential({all.columns[j][0], all.columns[j][1], all.columns[j][2]}, here.normal,

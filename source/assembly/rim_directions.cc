@@ -3,6 +3,7 @@
 #include <pellicle/assembly/hanging_carriers.h>
 #include <pellicle/assembly/rim_directions.h>
 #include <pellicle/base/constants.h>
+#include <pellicle/discretization/admissible.h>
 #include <pellicle/discretization/point_walk.h>
 
 #include <Eigen/SparseCholesky>
@@ -104,13 +105,6 @@ struct Continuation
   std::vector<bool> is_given;
   std::unique_ptr<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> factorised;
 };
-
-/** Whether vectors at a node may have a component along an axis. */
-bool has_component(const AdmissibleDirections &directions, const int c)
-{
-  return std::any_of(directions.columns.begin(), directions.columns.begin() + directions.count,
-                     [&](const std::array<double, 3> &column) { return column[c] != 0.; });
-}
 } // namespace
 
 NodalVectors directions_towards_bodies(const FieldConditions &conditions, const SurfaceDiscretization &discretization,
@@ -125,11 +119,11 @@ NodalVectors directions_towards_bodies(const FieldConditions &conditions, const 
   const bool is_in_space                   = discretization.kind == SurfaceDiscretization::Kind::surface;
   std::vector<Continuation> continuations;
   Eigen::MatrixXd b(matrix.rows(), 3);
-  for (int c = 0; c < 3; ++c)
+  for (unsigned int c = 0; c < 3; ++c)
   {
     std::vector<bool> is_given(static_cast<std::size_t>(matrix.rows()), false);
     for (std::size_t I = 0; I < discretization.admissible.size() && is_in_space; ++I)
-      is_given[I] = !has_component(discretization.admissible[I], c); // a plane of symmetry
+      is_given[I] = !admits(discretization.admissible[I], c); // a plane of symmetry
     Eigen::VectorXd given = Eigen::VectorXd::Zero(matrix.rows());
     for (const auto &[node, m] : across)
     {
@@ -144,17 +138,9 @@ NodalVectors directions_towards_bodies(const FieldConditions &conditions, const 
   NodalVectors directions = normals;
   for (std::size_t I = 0; I < discretization.n_nodes; ++I)
   {
-    const AdmissibleDirections all =
-        discretization.admissible.empty() ? AdmissibleDirections{} : discretization.admissible[I];
-    Vector3<double> sum;
-    for (unsigned int j = 0; j < all.count; ++j)
-    {
-      const Vector3<double> e(all.columns[j][0], all.columns[j][1], all.columns[j][2]);
-      sum += dot(vector_at(normals, I) +
-                     Vector3<double>(b(static_cast<int>(I), 0), b(static_cast<int>(I), 1), b(static_cast<int>(I), 2)),
-                 e) *
-             e;
-    }
+    const auto row            = static_cast<int>(I);
+    const Vector3<double> sum = admissible_part(
+        admissible_at(discretization, I), vector_at(normals, I) + Vector3<double>(b(row, 0), b(row, 1), b(row, 2)));
     for (unsigned int c = 0; c < 3; ++c)
       directions[3 * I + c] = sum[c] / norm(sum);
   }

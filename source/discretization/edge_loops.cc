@@ -134,4 +134,13 @@ std::vector<EdgeLoop> find_region_boundary(const SurfaceDiscretization &surface,
   }
   return loops;
 }
+
+std::vector<bool> nodes_of_edges(const SurfaceDiscretization &surface)
+{
+  std::vector<bool> on_edge(surface.n_nodes, false);
+  for (const EdgeLoop &loop : surface.edges)
+    for (const std::size_t node : loop.cell_nodes)
+      on_edge[node] = true;
+  return on_edge;
+}
 } // namespace pellicle

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/base/exceptions.h>
+#include <pellicle/discretization/admissible.h>
 #include <pellicle/discretization/symmetric_part.h>
 
-#include <algorithm>
 #include <limits>
 
 namespace pellicle
@@ -22,12 +22,7 @@ UnfoldedSurface::UnfoldedSurface(const SurfaceDiscretization &part, const Mirror
     weight /= planes.n_images();
 
   // Reflections are sets of coordinates, bit by bit. A node on a plane is its own image.
-  const auto is_on = [&](const std::size_t I, const unsigned int c)
-  {
-    const AdmissibleDirections &free = part.admissible[I];
-    return std::all_of(free.columns.begin(), free.columns.begin() + free.count,
-                       [&](const std::array<double, 3> &column) { return column[c] == 0.; });
-  };
+  const auto is_on = [&](const std::size_t I, const unsigned int c) { return !admits(part.admissible[I], c); };
   std::vector<std::size_t> numbers(8 * part.n_nodes, nowhere);
   const std::size_t k = part.degree;
   for (unsigned int reflection = 0; reflection < 8; ++reflection)

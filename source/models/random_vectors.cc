@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/edge_frames.h>
+#include <pellicle/discretization/admissible.h>
 #include <pellicle/models/random_vectors.h>
 
 #include <cstdint>
@@ -14,16 +15,10 @@ NodalVectors random_vectors(const SurfaceDiscretization &surface, const double a
   std::mt19937 random(static_cast<std::uint32_t>(seed));
   for (std::size_t I = 0; I < surface.n_nodes; ++I)
   {
-    Vector3<double> any, admitted;
+    Vector3<double> any;
     for (unsigned int c = 0; c < 3; ++c)
       any[c] = amplitude * (2. * (random() / 4294967296.) - 1.);
-    const AdmissibleDirections directions = surface.admissible.empty() ? AdmissibleDirections{} : surface.admissible[I];
-    for (unsigned int j = 0; j < directions.count; ++j)
-    {
-      const Vector3<double> e(directions.columns[j][0], directions.columns[j][1], directions.columns[j][2]);
-      admitted += dot(any, e) * e;
-    }
-    set_vector_at(vectors, I, admitted);
+    set_vector_at(vectors, I, admissible_part(admissible_at(surface, I), any));
   }
   return vectors;
 }

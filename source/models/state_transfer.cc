@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pellicle/assembly/edge_frames.h>
+#include <pellicle/discretization/admissible.h>
+#include <pellicle/discretization/edge_loops.h>
 #include <pellicle/discretization/mesh_transfer.h>
 #include <pellicle/models/state_transfer.h>
 
@@ -26,15 +28,6 @@ const NodalVectors *start_of(const SurfaceProblem &problem, const Field &field)
     return &surface.positions;
   const auto given = surface.start_values.find(field.name);
   return given == surface.start_values.end() ? nullptr : &given->second;
-}
-
-std::vector<bool> nodes_of_edges(const SurfaceDiscretization &surface)
-{
-  std::vector<bool> on_edge(surface.n_nodes, false);
-  for (const EdgeLoop &loop : surface.edges)
-    for (const std::size_t node : loop.cell_nodes)
-      on_edge[node] = true;
-  return on_edge;
 }
 
 /** The fields of one problem seen from the other. */
@@ -64,7 +57,7 @@ public:
       // An edge's unit vectors are zero where the edge has none.
       if ((is_on_edge && !on_edge[I]) || (is_unit && dot(start, start) == 0.))
         continue;
-      Vector3<double> value = start + admissible_part(field, I, vector_at(wanted, I) - start);
+      Vector3<double> value = start + admissible_change(field, I, vector_at(wanted, I) - start);
       if (is_unit)
         value = (1. / norm(value)) * value;
       if (field.name == "position")
@@ -96,23 +89,13 @@ private:
     return values;
   }
 
-  Vector3<double> admissible_part(const Field &field, const std::size_t node, const Vector3<double> &change) const
+  Vector3<double> admissible_change(const Field &field, const std::size_t node, const Vector3<double> &change) const
   {
-    const auto condition                   = to.nodal_conditions().find(field.name);
-    const auto &all                        = to.discretization().admissible;
-    const AdmissibleDirections *directions = all.empty() ? nullptr : &all[node];
+    const auto condition            = to.nodal_conditions().find(field.name);
+    AdmissibleDirections directions = admissible_at(to.discretization(), node);
     if (condition != to.nodal_conditions().end() && !condition->second.only.empty() && condition->second.only[node])
-      directions = &*condition->second.only[node];
-    if (directions == nullptr || directions->count == 3)
-      return change;
-    Vector3<double> part;
-    for (unsigned int j = 0; j < directions->count; ++j)
-    {
-      const auto &column = directions->columns[j];
-      const Vector3<double> e(column[0], column[1], column[2]);
-      part += dot(e, change) * e;
-    }
-    return part;
+      directions = *condition->second.only[node];
+    return directions.count == 3 ? change : admissible_part(directions, change);
   }
 
   Vector3<double> on_its_body(const std::size_t node, const Vector3<double> &place) const

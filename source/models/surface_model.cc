@@ -148,11 +148,8 @@ void SurfaceModel::check_constraints_are_independent()
     return;
   const std::vector<NodalVectors> gradients = problem->nodal_forces().constraints;
   const NodalVectors normals                = nodal_normals(solved_mesh(), solved_mesh().positions);
-  std::vector<bool> on_edge(solved_mesh().n_nodes, false);
-  for (const EdgeLoop &loop : solved_mesh().edges)
-    for (const std::size_t node : loop.cell_nodes)
-      on_edge[node] = true;
-  const auto product = [&](const NodalVectors &a, const NodalVectors &b)
+  const std::vector<bool> on_edge           = nodes_of_edges(solved_mesh());
+  const auto product                        = [&](const NodalVectors &a, const NodalVectors &b)
   {
     double sum = 0.;
     for (std::size_t I = 0; I < solved_mesh().n_nodes; ++I)

@@ -22,7 +22,4 @@ namespace pellicle
 std::array<std::vector<Eigen::Triplet<double>>, 3> dirichlet_forms(const SurfaceDiscretization &discretization,
                                                                    const NodalVectors &positions,
                                                                    const std::function<bool(std::size_t node)> &counts);
-
-/** Whether the node may move along the component: not every node of a meridian's end may. */
-bool admits(const SurfaceDiscretization &discretization, std::size_t node, unsigned int component);
 } // namespace pellicle

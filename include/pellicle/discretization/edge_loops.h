@@ -27,6 +27,9 @@ std::vector<EdgeLoop> find_rims(const SurfaceDiscretization &surface,
 std::vector<EdgeLoop> find_region_boundary(const SurfaceDiscretization &surface, unsigned int region,
                                            const std::string &name);
 
+/** Whether a node lies on a line, for all nodes. */
+std::vector<bool> nodes_of_edges(const SurfaceDiscretization &surface);
+
 /** Length of the line, 2 pi r on a meridian. */
 double loop_length(const EdgeLoop &loop, const NodalVectors &positions);
 
