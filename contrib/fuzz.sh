@@ -4,7 +4,7 @@
 # shellcheck source=contrib/utilities/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/utilities/common.sh"
 
-targets=(command_line expression mesh model scene)
+targets=(checkpoint command_line expression mesh model scene)
 
 usage()
 {
@@ -52,9 +52,12 @@ mkdir -p "$build/fuzz/findings"
 for target in "${chosen[@]}"; do
   step "Fuzzing: $target for $seconds s"
   mkdir -p "$build/fuzz/$target"
-  dictionary=tests/fuzz/$target.dict
-  [[ $target == model ]] && dictionary=tests/fuzz/scene.dict
+  case $target in
+    checkpoint) words=() ;;
+    model) words=(-dict=tests/fuzz/scene.dict) ;;
+    *) words=(-dict="tests/fuzz/$target.dict") ;;
+  esac
   "$build/tests/fuzz_$target" -max_total_time="$seconds" -max_len=4096 -timeout=60 -rss_limit_mb=2048 -verbosity=1 \
-    -print_final_stats=1 -dict="$dictionary" -artifact_prefix="$build/fuzz/findings/$target-" \
+    -print_final_stats=1 "${words[@]}" -artifact_prefix="$build/fuzz/findings/$target-" \
     "$build/fuzz/$target" "tests/fuzz/corpus/$target"
 done

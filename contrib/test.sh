@@ -49,7 +49,9 @@ step "Packages"
 packages_for=()
 [[ $suite == long ]] && packages_for=(--long)
 ./contrib/setup_packages.sh "${packages_for[@]}"
-configure_and_build release "$jobs"
+targets=()
+[[ $suite == quick ]] && targets=(quick_tests)
+configure_and_build release "$jobs" "${targets[@]}"
 
 case $suite in
   quick)
@@ -63,7 +65,7 @@ case $suite in
   long)
     step "Tests: all"
     run_tests release
-    configure_and_build sanitize "$jobs"
+    configure_and_build sanitize "$jobs" quick_tests fuzzers
     step "Tests: label quick, with sanitizers"
     run_tests sanitize --label-regex '^quick$'
     step "Fuzzing"

@@ -31,13 +31,15 @@ check_jobs()
   [[ $1 =~ ^[1-9][0-9]*$ ]] || bad_usage "--jobs $1: a whole number >= 1 is needed"
 }
 
-# configure_and_build PRESET JOBS [TARGET]: CMake and Ninja redo only what is out of date.
+# configure_and_build PRESET JOBS [TARGET ...]: CMake and Ninja redo only what is out of date.
 configure_and_build()
 {
-  step "Configuring (preset $1)"
-  cmake --preset "$1" --log-level=WARNING >/dev/null
-  step "Building ${3:-everything} in build/$1 with $2 jobs"
-  cmake --build --preset "$1" --parallel "$2" ${3:+--target "$3"}
+  local preset=$1 jobs=$2
+  shift 2
+  step "Configuring (preset $preset)"
+  cmake --preset "$preset" --log-level=WARNING >/dev/null
+  step "Building ${*:-everything} in build/$preset with $jobs jobs"
+  cmake --build --preset "$preset" --parallel "$jobs" ${@+--target "$@"}
 }
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

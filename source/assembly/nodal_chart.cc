@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace pellicle
 {
@@ -186,7 +187,9 @@ NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const No
       continue;
     const Vector3<double> d = admissible_part(admissible_at(discretization, I), vector_at(normals, I));
     const double length     = norm(d);
-    PELLICLE_ASSERT(length > 0., "a node without a normal");
+    if (!(length > 0.))
+      throw SolveError("At node " + std::to_string(I) +
+                       " of the surface the normals of its cells cancel: the mesh has collapsed there.");
     for (unsigned int c = 0; c < 3; ++c)
       normals[3 * I + c] = d[c] / length;
   }

@@ -41,6 +41,21 @@ void Archive::visit(std::string &text)
   raw(text.data(), n);
 }
 
+void Archive::visit(bool &value)
+{
+  unsigned char byte = value;
+  raw(&byte, 1);
+  if (byte > 1)
+    throw ArchiveMismatch("it has " + std::to_string(byte) + " where a truth value should be");
+  value = byte == 1;
+}
+
+void check_file_name(const std::string &text)
+{
+  if (text.empty() || text[0] == '.' || text.find_first_of(std::string("/\0", 2)) != std::string::npos)
+    throw ArchiveMismatch("it has '" + text + "' where the name of a file should be");
+}
+
 void Archive::name(const std::string &text)
 {
   std::string there = text;

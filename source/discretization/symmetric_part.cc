@@ -166,10 +166,10 @@ bool keeps_in_place(const RigidMotion &motion, const MirrorPlanes &planes)
 
 SurfaceDiscretization symmetric_part(const SurfaceDiscretization &whole, const MirrorPlanes &planes)
 {
-  PELLICLE_ASSERT(whole.kind == SurfaceDiscretization::Kind::surface && whole.bulks.empty() && whole.twins.empty(),
-                  "parts are made of surfaces in space, before anything else is done to them");
   if (!planes.any())
     return whole;
+  PELLICLE_ASSERT(whole.kind == SurfaceDiscretization::Kind::surface && whole.bulks.empty() && whole.twins.empty(),
+                  "parts are made of surfaces in space, before anything else is done to them");
   const Restriction restriction(whole, planes);
   const double n_images = planes.n_images();
 

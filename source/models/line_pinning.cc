@@ -124,6 +124,9 @@ void LinePinning::exchange(Archive &archive)
 {
   slip.exchange(archive);
   archive | nodes | settling | last_equilibrium;
+  for (const auto &[I, node] : nodes)
+    if (!slip.has_node(I))
+      throw ArchiveMismatch("it has node " + std::to_string(I) + " on the contact line, which is elsewhere");
 }
 
 double LinePinning::cosine(const SlipStatus status) const

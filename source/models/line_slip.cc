@@ -118,7 +118,11 @@ void LineSlip::exchange(Archive &archive)
   archive.name("slip");
   for (auto &[I, node] : nodes)
     archive | node.status | node.settled;
-  archive | friction_state->coefficient | friction_state->start | friction_state->dissipated | areas_at_equilibrium;
+  const std::size_t n_cells = line.n_cells, n_points = n_cells * line.tables.n_points;
+  archive.list(friction_state->coefficient, n_cells);
+  archive.list(friction_state->start, n_points);
+  archive | friction_state->dissipated;
+  archive.list(areas_at_equilibrium, n_points);
 }
 
 LineSlip::Counts LineSlip::counts() const

@@ -111,6 +111,9 @@ void RunFiles::exchange(Archive &archive)
     names.push_back(name);
   archive | names;
   for (const std::string &name : names)
+  {
+    check_file_name(name);
     archive | tables.try_emplace(name, directory / (name + ".csv")).first->second;
+  }
 }
 } // namespace pellicle

@@ -150,6 +150,8 @@ void SolutionFiles::exchange(Archive &archive, const std::filesystem::path &of_e
   archive | parts;
   if (!archive.is_reading())
     return;
+  for (const Part &part : parts)
+    check_file_name(part.file);
   // Whoever has removed a file does not miss it in the index.
   parts.erase(
       std::remove_if(parts.begin(), parts.end(), [&](const Part &part) { return !fs::exists(of_earlier / part.file); }),

@@ -259,7 +259,7 @@ private:
   /** Postponed pivots need more room than the analysis foresaw: ICNTL(14), the spare per cent, is then doubled. */
   void factorise_with_growing_work_space()
   {
-    constexpr int n_attempts = 6;
+    constexpr int n_attempts = 10; // delayed pivots can make the factors of a meridian a hundred times as large
     for (int attempt = 0; attempt < n_attempts; ++attempt)
     {
       if (mumps->call(MumpsInstance::factorise) >= 0)

@@ -23,8 +23,10 @@ using namespace pellicle::test;
 // contraction with the hand-written ones.
 TEST(Contraction, EqualsAPlainLoop)
 {
-  for (const auto &[name, surface] : small_surfaces())
+  for (const auto &named : small_surfaces())
   {
+    const auto &name    = named.first;
+    const auto &surface = named.second;
     const DensityPotential<HelfrichBending> bending("helfrich bending", HelfrichBending{1.3, 0.4});
     PotentialSet set;
     set.energies.push_back(std::make_shared<DensityPotential<HelfrichBending>>(bending));

@@ -73,8 +73,10 @@ TEST(Bodies, VolumesAndTopFaces)
 
 TEST(Bodies, DerivativesOfAllSetsTogether)
 {
-  for (auto [name, body] : small_bodies(2))
+  for (const auto &named : small_bodies(2))
   {
+    const auto &name = named.first;
+    auto body        = named.second;
     add_pressure_nodes(body, 0);
     const auto reference =
         std::make_shared<const std::vector<ReferenceBasis>>(reference_bases(body.bulks[0], body.positions));

@@ -95,4 +95,27 @@ TEST(Archive, SaysWhereItDoesNotFit)
   Archive in(lengths.content());
   EXPECT_THROW(in | numbers, ArchiveMismatch);
 }
+
+// Bytes of a damaged or forged file never become a value that the language does not have.
+TEST(Archive, RefusesBytesThatAreNoValue)
+{
+  unsigned char neither = 2;
+  Archive out;
+  out | neither;
+  bool truth = false;
+  Archive in(out.content());
+  EXPECT_THROW(in | truth, ArchiveMismatch);
+  std::optional<bool> maybe;
+  Archive again(out.content());
+  EXPECT_THROW(again | maybe, ArchiveMismatch);
+}
+
+TEST(Archive, TakesNoPathForTheNameOfAFile)
+{
+  for (const char *name : {"solution_0001.vtu", "branch"})
+    EXPECT_NO_THROW(check_file_name(name)) << name;
+  for (const char *path : {"", ".", "../solution_0001.vtu", "/etc/passwd", "a/b"})
+    EXPECT_THROW(check_file_name(path), ArchiveMismatch) << path;
+  EXPECT_THROW(check_file_name(std::string("a\0b", 3)), ArchiveMismatch);
+}
 } // namespace

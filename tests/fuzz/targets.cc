@@ -5,11 +5,9 @@ namespace pellicle::fuzz
 {
 const std::vector<Target> &targets()
 {
-  static const std::vector<Target> list = {{"command_line", read_command_line},
-                                           {"expression", read_expression},
-                                           {"mesh", read_mesh},
-                                           {"model", read_model},
-                                           {"scene", read_scene}};
+  static const std::vector<Target> list = {{"checkpoint", read_checkpoint}, {"command_line", read_command_line},
+                                           {"expression", read_expression}, {"mesh", read_mesh},
+                                           {"model", read_model},           {"scene", read_scene}};
   return list;
 }
 } // namespace pellicle::fuzz

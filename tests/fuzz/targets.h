@@ -13,7 +13,7 @@ namespace pellicle::fuzz
  */
 using Reader = void(const std::string &input);
 
-Reader read_command_line, read_expression, read_mesh, read_model, read_scene;
+Reader read_checkpoint, read_command_line, read_expression, read_mesh, read_model, read_scene;
 
 /** A reader and its name, which is also that of its corpus, tests/fuzz/corpus/<name>. */
 struct Target

@@ -110,7 +110,7 @@ NodalChart edge_scalar_chart(const SurfaceDiscretization &discretization);
 void free_nodes(const SurfaceDiscretization &discretization, const std::vector<bool> &material, NodalChart &chart);
 
 /** Unit normals at the nodes: averages of the cells' normals there, weighted by x,1 x x,2, projected to the admissible
- * directions; zero inside bodies. */
+ * directions; zero inside bodies. Throws SolveError where a mesh has collapsed. */
 NodalVectors nodal_normals(const SurfaceDiscretization &discretization, const NodalVectors &positions);
 /** The same at the nodes of edge loops from the cells on the left of the loops alone: where a surface goes on beyond a
  * line, it may have a kink there. Elsewhere zero. */

@@ -19,6 +19,10 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/** Throws ArchiveMismatch unless a text from an archive is the name of a file in a folder that the reader chooses: a
+ * damaged or forged one could lead elsewhere. */
+void check_file_name(const std::string &text);
+
 /**
  * Values of a run, to the last bit, as they go into a checkpoint and come out of it. One function of an object names
  * its values for both directions, so that they cannot get out of step:
@@ -46,7 +50,21 @@ public:
   template <typename T>
   Archive &operator|(T &value);
 
+  /** A list of which the reader knows the length: throws ArchiveMismatch for one with other than n entries or none. */
+  template <typename T>
+  void list(std::vector<T> &values, std::size_t n);
+
 private:
+  /** Whether any bytes make a value: not so with those that have their own visit(). */
+  template <typename T>
+  struct IsRaw : std::bool_constant<std::is_trivially_copyable_v<T> && !std::is_same_v<T, bool>>
+  {
+  };
+  template <typename T>
+  struct IsRaw<std::optional<T>> : std::false_type
+  {
+  };
+
   void raw(void *data, std::size_t size);
   /** Number of entries to come; throws ArchiveMismatch if there cannot be so many. */
   std::size_t count(std::size_t of_object);
@@ -60,6 +78,8 @@ private:
   template <typename T>
   void visit(std::optional<T> &value);
   void visit(std::string &text);
+  /** Any byte can stand in a file, and only two of them are truth values. */
+  void visit(bool &value);
   template <typename T>
   auto visit(T &value) -> decltype(value.exchange(*this))
   {
@@ -75,11 +95,20 @@ template <typename T>
 Archive &Archive::operator|(T &value)
 {
   static_assert(!std::is_pointer_v<T>, "a place in memory means nothing to the next run");
-  if constexpr (std::is_trivially_copyable_v<T>)
+  if constexpr (IsRaw<T>::value)
     raw(&value, sizeof(T));
   else
     visit(value);
   return *this;
+}
+
+template <typename T>
+void Archive::list(std::vector<T> &values, const std::size_t n)
+{
+  *this | values;
+  if (reading && !values.empty() && values.size() != n)
+    throw ArchiveMismatch("it has a list of " + std::to_string(values.size()) + " entries where " + std::to_string(n) +
+                          " should be");
 }
 
 template <typename T>

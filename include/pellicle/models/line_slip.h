@@ -40,6 +40,7 @@ public:
   /** Lets the next load step begin with nodes that all stick. */
   void forget_statuses();
 
+  bool has_node(const std::size_t node) const { return nodes.count(node) == 1; }
   SlipStatus of_node(std::size_t node) const { return nodes.at(node).status; }
 
   /** A node that wants to slip, and by how much its force is beyond the threshold. */
