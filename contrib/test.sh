@@ -69,6 +69,6 @@ case $suite in
     step "Tests: label quick, with sanitizers"
     run_tests sanitize --label-regex '^quick$'
     step "Fuzzing"
-    run_tests sanitize --label-regex '^long$' --tests-regex '^fuzz_'
+    run_tests sanitize --label-regex '^long$' --tests-regex '^fuzzer_'
     ;;
 esac
