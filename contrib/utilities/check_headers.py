@@ -13,6 +13,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 FLAGS = ["-std=c++17", "-fsyntax-only", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-Wfatal-errors", "-x", "c++", "-"]
+FLAGS_OF_GCC = ["-Wshadow=local"]
 
 
 def compile_alone(command, name):
@@ -31,7 +32,7 @@ def main():
     parser.add_argument("rooms", nargs="+", metavar="room")
     options = parser.parse_args()
 
-    command = [options.compiler, f"-I{options.include}"]
+    command = [options.compiler, f"-I{options.include}"] + ([] if "clang" in Path(options.compiler).name else FLAGS_OF_GCC)
     for folder in options.system_includes.split(":"):
         if folder and Path(folder) != options.include:
             command += ["-idirafter", folder]  # after the compiler's own: one of them may stand in the list again

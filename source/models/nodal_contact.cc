@@ -113,7 +113,7 @@ std::string NodalContact::about_failure() const
 void NodalContact::exchange(Archive &archive)
 {
   const std::size_t n = touched.size();
-  archive.list(touched, n);
+  archive | touched;
   const auto is_known = [&](const int b) { return b == none || (b >= 0 && b < static_cast<int>(bodies.size())); };
   if (touched.size() != n || !std::all_of(touched.begin(), touched.end(), is_known))
     throw ArchiveMismatch("it has nodes in contact with bodies that are not there");

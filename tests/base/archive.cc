@@ -110,6 +110,21 @@ TEST(Archive, RefusesBytesThatAreNoValue)
   EXPECT_THROW(again | maybe, ArchiveMismatch);
 }
 
+TEST(Archive, ListsOfKnownLengthHaveItOrNothing)
+{
+  for (const std::size_t there : {std::size_t(0), std::size_t(2), std::size_t(3)})
+  {
+    std::vector<double> written(there, 1.), read;
+    Archive out;
+    out.list(written, there);
+    Archive in(out.content());
+    if (there == 2)
+      EXPECT_THROW(in.list(read, 3), ArchiveMismatch);
+    else
+      EXPECT_NO_THROW(in.list(read, 3));
+  }
+}
+
 TEST(Archive, TakesNoPathForTheNameOfAFile)
 {
   for (const char *name : {"solution_0001.vtu", "branch"})

@@ -22,11 +22,6 @@ namespace fs = std::filesystem;
 const std::vector<std::string> small_scenes = {
     R"(#:vesicle
 set Effects = helfrich bending, area constraint, volume constraint
-subsection Mesh
-  set Symmetry    = axial
-  set Degree      = 2
-  set Refinements = 1
-end
 subsection Vesicle
   set Reduced volume = 0.95
 end
@@ -38,11 +33,6 @@ end
 )",
     R"(#:droplet_contact
 set Effects = liquid surface, volume constraint, contact
-subsection Mesh
-  set Symmetry    = axial
-  set Degree      = 2
-  set Refinements = 1
-end
 subsection Droplet
   set Base          = membrane
   set Contact angle = 180
@@ -54,11 +44,6 @@ end
 )",
     R"(#:droplet_contact
 set Effects = liquid surface, volume constraint, wetting, line pinning
-subsection Mesh
-  set Symmetry    = axial
-  set Degree      = 2
-  set Refinements = 1
-end
 subsection Droplet
   set Contact angle = 90
 end
@@ -74,11 +59,6 @@ end
 )",
     R"(#:director_membrane
 set Effects = director, director friction
-subsection Mesh
-  set Symmetry    = axial
-  set Degree      = 2
-  set Refinements = 0
-end
 subsection Surface
   set Motion = held
 end
@@ -94,6 +74,11 @@ subsection Time
   set End time   = 0.2
 end
 )"};
+
+SceneInput input_of(const std::string &scene)
+{
+  return SceneInput(scene, {"Mesh/Symmetry=axial", "Mesh/Degree=2", "Mesh/Refinements=1"});
+}
 
 /** A folder that goes away with the process. */
 class Folder
@@ -187,7 +172,7 @@ const std::vector<std::string> &true_contents()
     for (const std::string &scene : small_scenes)
     {
       const Folder folder;
-      SceneInput input(scene);
+      SceneInput input = input_of(scene);
       run_scene(input, folder.path, nullptr);
       contents.push_back(read_last_checkpoint(folder.path).content);
     }
@@ -226,7 +211,7 @@ void read_checkpoint(const std::string &input)
   if (is_file)
     std::ofstream(folder.path / "checkpoint" / "step_000001.bin", std::ios::binary) << input.substr(1);
 
-  SceneInput scene(small_scenes[is_file ? 0 : chosen]);
+  SceneInput scene = input_of(small_scenes[is_file ? 0 : chosen]);
   try
   {
     EarlierRun earlier(scene.application().name, folder.path);
